@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limn/document/command.h"
+#include "limn/painting/depth_change.h"
+
+namespace limn {
+
+/// Changes depths: a stroke, a rule, "zero all". `edits` must fit the document it is applied to.
+[[nodiscard]] std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits,
+                                                     std::string name);
+
+/// Shows more or less of the subdivision.
+[[nodiscard]] std::unique_ptr<Command> stage_command(Stage stage, std::string name);
+
+/// Other subdivision settings.
+[[nodiscard]] std::unique_ptr<Command> settings_command(SubdivisionSettings settings);
+
+/// Replaces the control mesh, unpainted and at stage 0: Apply (the refined mesh becomes the control
+/// mesh).
+[[nodiscard]] std::unique_ptr<Command> replace_control_command(
+    std::shared_ptr<const ControlMesh> control, std::string name);
+
+/// Back to the mesh as it was opened, unpainted.
+[[nodiscard]] std::unique_ptr<Command> revert_command();
+
+}  // namespace limn

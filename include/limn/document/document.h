@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "limn/document/view_state.h"
+#include "limn/mesh/build.h"
+#include "limn/mesh/control_mesh.h"
+#include "limn/painting/face_depths.h"
+#include "limn/subdivision/prediction.h"
+#include "limn/subdivision/settings.h"
+
+namespace limn {
+
+/// How far the artist has asked to see the subdivision carried out. The refined mesh is always
+/// derived from the control mesh and the depths; this only says how much of it to show.
+struct Stage {
+  bool is_legalised = false;  ///< Illegal vertices removed (shown in the labels).
+  int levels = 0;             ///< 0: the control mesh; n: after n steps; kAllLevels: to the end.
+
+  [[nodiscard]] bool operator==(const Stage&) const = default;
+};
+
+/// Counts up whenever the named part changes, so that whoever derives something from it (the
+/// renderer, a refinement) knows when to do so again.
+struct Revisions {
+  std::uint64_t control = 0;
+  std::uint64_t depths = 0;
+  std::uint64_t stage = 0;  ///< Stage or settings.
+};
+
+/// What is open: the control mesh and its painting. Plain data, changed by commands alone
+/// (document/command.h). The refined mesh is derived and is not part of it.
+struct Document {
+  std::shared_ptr<const ControlMesh> control;
+  FaceDepths depths;  ///< One entry per face of `control`.
+  SubdivisionSettings settings;
+  Stage stage;
+
+  std::string name;                    ///< For the title bar: "creature", "spot.obj".
+  std::filesystem::path mesh_path;     ///< Empty for a bundled mesh.
+  std::filesystem::path project_path;  ///< Empty until saved.
+  ImportReport import_report;
+
+  /// The mesh as it was opened, for Revert; the same object as `control` until Apply.
+  std::shared_ptr<const ControlMesh> opened;
+
+  Revisions revisions;
+};
+
+/// A fresh, unpainted document.
+[[nodiscard]] Document make_document(ImportedMesh mesh, std::string name,
+                                     std::filesystem::path mesh_path = {});
+
+}  // namespace limn

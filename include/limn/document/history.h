@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "limn/document/command.h"
+
+namespace limn {
+
+/// Undo and redo, bounded by the bytes its commands keep alive; the oldest are forgotten first. The
+/// newest command is kept whatever its size.
+class History {
+ public:
+  explicit History(std::size_t byte_budget = std::size_t{256} << 20U) : byte_budget_(byte_budget) {}
+
+  /// Applies the command and remembers it; what could be redone is forgotten.
+  void execute(Document& document, std::unique_ptr<Command> command);
+  /// Remembers a command whose effect is already in the document (a stroke painted live).
+  void record(std::unique_ptr<Command> command);
+
+  [[nodiscard]] bool can_undo() const noexcept { return next_ > 0; }
+  [[nodiscard]] bool can_redo() const noexcept { return next_ < commands_.size(); }
+  /// Name of what undo or redo would do; empty where there is nothing.
+  [[nodiscard]] std::string undo_name() const;
+  [[nodiscard]] std::string redo_name() const;
+  void undo(Document& document);
+  void redo(Document& document);
+
+  [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
+  /// Whether the document differs from when `mark_saved` was last called (or from its beginning).
+  [[nodiscard]] bool is_modified() const noexcept;
+  void mark_saved() noexcept;
+  /// Forgets everything: a new document was opened.
+  void clear() noexcept;
+
+ private:
+  std::deque<std::unique_ptr<Command>> commands_;
+  std::size_t next_ = 0;  ///< commands_[0..next_) are applied.
+  std::size_t bytes_ = 0;
+  std::size_t byte_budget_;
+  std::ptrdiff_t saved_at_ = 0;  ///< Value of next_ at the saved state; -1 once that is forgotten.
+};
+
+}  // namespace limn

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+#include "limn/mesh/polygon_soup.h"
+
+namespace limn {
+
+/// What had to be mended, or was set aside, to make a control mesh of what a file holds.
+struct ImportReport {
+  std::size_t flipped_faces = 0;         ///< Orientation clashed with the neighbours; flipped.
+  std::size_t split_vertices = 0;        ///< Bow-tie vertices; one copy added per extra fan.
+  std::size_t isolated_vertices = 0;     ///< In no face; dropped.
+  std::size_t repeated_corners = 0;      ///< The same vertex twice in a row in a face; merged.
+  std::vector<std::string> unused_data;  ///< What the file holds and Limn does not read, counted
+                                         ///< ("12 crease tags", "96 texture coordinates").
+
+  /// True where the mesh differs from the file's.
+  [[nodiscard]] bool is_mended() const noexcept;
+  /// One sentence per kind of mend and of unused data; empty where the file came in as it was.
+  [[nodiscard]] std::vector<std::string> sentences() const;
+};
+
+struct ImportedMesh {
+  std::shared_ptr<const ControlMesh> mesh;
+  ImportReport report;
+};
+
+/// Validates a soup and makes the half-edge control mesh of it.
+///
+/// Mended with a report, since nothing is lost by it: clashing orientation of an orientable
+/// component (the smaller side is flipped), bow-tie vertices (split, one vertex per fan), isolated
+/// vertices (dropped), a corner repeated in a row (merged).
+/// Refused, kBadInput, naming the source line of the first culprit: no faces, non-finite
+/// coordinates, an index out of range, a face with fewer than three distinct vertices or with a
+/// vertex twice, an edge with three or more faces, a surface that cannot be oriented (Moebius).
+/// Faces keep their order and their first corner; vertices keep their order, copies come last.
+[[nodiscard]] Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup);
+
+}  // namespace limn

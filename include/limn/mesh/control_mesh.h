@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "limn/mesh/halfedge_mesh.h"
+
+namespace limn {
+
+/// "No such element" in arrays of indices: the missing face beyond a boundary edge.
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+/// Axis-aligned bounds in mesh units.
+struct Bounds {
+  glm::dvec3 low{0.0};
+  glm::dvec3 high{0.0};
+
+  [[nodiscard]] glm::dvec3 centre() const noexcept;
+  /// Length of the diagonal: the unit in which deviations are reported.
+  [[nodiscard]] double diagonal() const noexcept;
+};
+
+/// The half-edge mesh once more as flat arrays, for loops that must run at the speed of memory.
+///
+/// V vertices, E edges, F faces, C = sum of face sides corners. A corner is a (face, side) pair;
+/// corner `face_offsets[f] + i` stands at the i-th vertex of face f and names the edge from there
+/// to the next vertex.
+struct FlatTopology {
+  std::vector<std::uint32_t> face_offsets;     ///< F + 1, prefix sums of face sides.
+  std::vector<std::uint32_t> corner_vertices;  ///< C, counter-clockwise.
+  std::vector<std::uint32_t> corner_edges;     ///< C, edge from this corner to the next.
+  std::vector<std::array<std::uint32_t, 2>> edge_vertices;  ///< E.
+  std::vector<std::array<std::uint32_t, 2>> edge_corners;   ///< E, second is kNone on a boundary.
+  std::vector<std::uint32_t> vertex_offsets;                ///< V + 1, prefix sums of faces around.
+  std::vector<std::uint32_t>
+      vertex_corners;  ///< C, corners around each vertex, counter-clockwise;
+                       ///< at a boundary vertex from one boundary edge to the other.
+  std::vector<std::uint32_t> corner_faces;  ///< C, the face a corner belongs to.
+};
+
+/// The polygon mesh the artist paints: an oriented 2-manifold, with or without boundary, of
+/// polygons with three or more sides. Immutable, so it can be shared between a document, its undo
+/// history and a refinement that runs on another thread.
+///
+/// Made from a file or a PolygonSoup by `build_control_mesh` (mesh/build.h), which validates.
+class ControlMesh {
+ public:
+  /// Takes over a half-edge mesh without isolated vertices, deleted elements or non-manifold
+  /// vertices.
+  explicit ControlMesh(HalfedgeMesh mesh);
+
+  [[nodiscard]] const HalfedgeMesh& halfedges() const noexcept { return mesh_; }
+  [[nodiscard]] const FlatTopology& topology() const noexcept { return topology_; }
+
+  [[nodiscard]] std::size_t vertex_count() const noexcept { return positions_.size(); }
+  [[nodiscard]] std::size_t edge_count() const noexcept { return topology_.edge_vertices.size(); }
+  [[nodiscard]] std::size_t face_count() const noexcept {
+    return topology_.face_offsets.size() - 1;
+  }
+
+  [[nodiscard]] std::span<const glm::dvec3> positions() const noexcept { return positions_; }
+  /// Vertices of face f, counter-clockwise seen from outside.
+  [[nodiscard]] std::span<const std::uint32_t> face(std::size_t f) const noexcept;
+
+  [[nodiscard]] bool is_all_quads() const noexcept { return is_all_quads_; }
+  [[nodiscard]] bool is_closed() const noexcept { return is_closed_; }
+  [[nodiscard]] const Bounds& bounds() const noexcept { return bounds_; }
+
+ private:
+  HalfedgeMesh mesh_;
+  FlatTopology topology_;
+  std::vector<glm::dvec3> positions_;
+  Bounds bounds_;
+  bool is_all_quads_ = false;
+  bool is_closed_ = false;
+};
+
+}  // namespace limn

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <span>
+
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+#include "limn/mesh/refined_mesh.h"
+
+namespace limn {
+
+/// Writes a refined mesh as OBJ text. Positions with as many digits as give the same float back;
+/// `depths[f]`, the depth of control face f, groups the faces by `usemtl depth_N`, which other
+/// programs keep. Pass an empty span to leave the groups out.
+void write_obj(std::ostream& out, const RefinedMesh& mesh, std::span<const std::uint8_t> depths);
+
+/// The same for a control mesh.
+void write_obj(std::ostream& out, const ControlMesh& mesh, std::span<const std::uint8_t> depths);
+
+/// Writes to a file atomically: the file holds the old contents or all of the new ones, never a
+/// part.
+[[nodiscard]] Result<void> export_obj(const std::filesystem::path& path, const RefinedMesh& mesh,
+                                      std::span<const std::uint8_t> depths);
+[[nodiscard]] Result<void> export_obj(const std::filesystem::path& path, const ControlMesh& mesh,
+                                      std::span<const std::uint8_t> depths);
+
+}  // namespace limn

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "limn/error.h"
+#include "limn/mesh/build.h"
+
+namespace limn {
+
+/// Reads a mesh file and builds its control mesh; the format is told by the file's ending (OBJ).
+///
+/// Errors: kBadInput with path and, where one is to blame, the 1-based line.
+[[nodiscard]] Result<ImportedMesh> import_mesh(const std::filesystem::path& path);
+
+/// The same for OBJ text that is already in memory (standard input, a bundled mesh).
+/// `source` is used in messages only.
+[[nodiscard]] Result<ImportedMesh> import_obj(std::string_view text, const std::string& source);
+
+}  // namespace limn

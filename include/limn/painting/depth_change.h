@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limn/painting/face_depths.h"
+
+namespace limn {
+
+/// What painting does to a face: raise or lower it, or set it outright. The result stays within
+/// 0..kMaxDepth.
+struct DepthChange {
+  enum class Kind { kAdd, kSet };
+  Kind kind = Kind::kAdd;
+  int amount = 1;
+
+  [[nodiscard]] static DepthChange add(int amount) noexcept { return {Kind::kAdd, amount}; }
+  [[nodiscard]] static DepthChange set(int depth) noexcept { return {Kind::kSet, depth}; }
+  [[nodiscard]] int operator()(int depth) const noexcept;
+  [[nodiscard]] bool operator==(const DepthChange&) const = default;
+};
+
+/// One face's change: what undo needs, and no more.
+struct DepthEdit {
+  std::uint32_t face = 0;
+  std::uint8_t before = 0;
+  std::uint8_t after = 0;
+
+  [[nodiscard]] bool operator==(const DepthEdit&) const = default;
+};
+
+/// The edits that `change` makes to `faces`; faces it leaves as they are, and repeats, are left
+/// out.
+[[nodiscard]] std::vector<DepthEdit> plan_edits(const FaceDepths& depths,
+                                                std::span<const std::uint32_t> faces,
+                                                DepthChange change);
+
+void apply_edits(FaceDepths& depths, std::span<const DepthEdit> edits);
+void revert_edits(FaceDepths& depths, std::span<const DepthEdit> edits);
+
+}  // namespace limn

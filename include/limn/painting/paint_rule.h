@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "limn/error.h"
+#include "limn/painting/depth_change.h"
+#include "limn/painting/selection.h"
+
+namespace limn {
+
+/// A selection and what happens to it: `SELECTION:CHANGE`.
+struct PaintRule {
+  Selection selection;
+  DepthChange change;
+
+  [[nodiscard]] bool operator==(const PaintRule&) const = default;
+};
+
+/// Reads `all:+1`, `visible:+1`, `dihedral>30:+2`, `faces=0,3-9:=4`. Blanks around the parts are
+/// allowed. Errors: kUsage, naming the part that was not understood and what may stand there.
+[[nodiscard]] Result<PaintRule> parse_paint_rule(std::string_view text);
+
+/// The rule as `parse_paint_rule` reads it.
+[[nodiscard]] std::string to_string(const PaintRule& rule);
+
+/// Selects and paints. Errors: those of `select_faces`; `depths` is then left as it was.
+[[nodiscard]] Result<void> apply_paint_rule(const ControlMesh& mesh, const PaintRule& rule,
+                                            const VisibleFaces& visible, FaceDepths& depths);
+
+}  // namespace limn

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <variant>
+#include <vector>
+
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+
+namespace limn {
+
+/// Every face.
+struct SelectAll {
+  [[nodiscard]] bool operator==(const SelectAll&) const = default;
+};
+/// Faces of which at least one pixel shows in the camera in force.
+struct SelectVisible {
+  [[nodiscard]] bool operator==(const SelectVisible&) const = default;
+};
+/// Faces with an edge whose dihedral angle (between the normals of its two faces, 0 where flat) is
+/// greater than `degrees`, 0..180. Boundary edges have none.
+struct SelectDihedral {
+  double degrees = 30.0;
+  [[nodiscard]] bool operator==(const SelectDihedral&) const = default;
+};
+/// The faces in `ranges`, both ends included.
+struct SelectFaces {
+  struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    [[nodiscard]] bool operator==(const Range&) const = default;
+  };
+  std::vector<Range> ranges;
+  [[nodiscard]] bool operator==(const SelectFaces&) const = default;
+};
+
+using Selection = std::variant<SelectAll, SelectVisible, SelectDihedral, SelectFaces>;
+
+/// Answers `SelectVisible`: the control faces that show, ascending. Supplied by whoever can draw.
+using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
+
+/// The largest dihedral angle over each face's edges, in degrees, one entry per face; 0 for a face
+/// with boundary edges only. Face normals are Newell's, so non-planar polygons have one too.
+[[nodiscard]] std::vector<double> face_dihedral_angles(const ControlMesh& mesh);
+
+/// The selected faces, ascending. Errors: kUsage where a face number is out of range, and whatever
+/// `visible` returns; `visible` may be empty, then SelectVisible fails with kUsage.
+[[nodiscard]] Result<std::vector<std::uint32_t>> select_faces(const ControlMesh& mesh,
+                                                              const Selection& selection,
+                                                              const VisibleFaces& visible);
+
+}  // namespace limn

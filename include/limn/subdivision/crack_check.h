@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "limn/mesh/control_mesh.h"
+#include "limn/mesh/refined_mesh.h"
+
+namespace limn {
+
+/// Whether a refined mesh is watertight where its control mesh is, from its connectivity alone.
+struct CrackCheck {
+  std::size_t boundary_edges = 0;          ///< Edges with one face.
+  std::size_t control_boundary_edges = 0;  ///< Of those, edges that lie on a control boundary edge.
+  std::size_t nonmanifold_edges = 0;  ///< Edges with three or more faces, or two that disagree.
+  std::vector<std::uint32_t> crack_faces;  ///< Faces beside a boundary edge that should not be one.
+
+  /// No T-junction, no hole, no doubled edge.
+  [[nodiscard]] bool is_watertight() const noexcept {
+    return nonmanifold_edges == 0 && boundary_edges == control_boundary_edges;
+  }
+};
+
+/// Checks all edges; linear in time up to sorting.
+[[nodiscard]] CrackCheck check_cracks(const ControlMesh& control, const RefinedMesh& refined);
+
+}  // namespace limn

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+#include "limn/mesh/refined_mesh.h"
+#include "limn/progress.h"
+#include "limn/subdivision/labels.h"
+#include "limn/subdivision/legalisation.h"
+#include "limn/subdivision/prediction.h"
+#include "limn/subdivision/settings.h"
+
+namespace limn {
+
+/// The labels a refinement runs on, and how they came about: L(v), the rule for non-quads, then
+/// legalisation. `depths` has one entry per control face.
+/// Errors: kCancelled.
+[[nodiscard]] Result<Legalisation> legal_labels(const ControlMesh& mesh,
+                                                std::span<const std::uint8_t> depths,
+                                                const SubdivisionSettings& settings,
+                                                Progress& progress);
+
+struct RefineLimits {
+  int levels = kAllLevels;  ///< Stop after so many steps: 1 is "one level only".
+  std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// Label-driven adaptive Catmull-Clark subdivision (Yong & Cheng 2005, with Kobbelt's Y-elements).
+///
+/// `labels` must be legal (from `legal_labels`). Crack-free: an edge is split exactly when one of
+/// its ends is positive. Exact: every vertex that was made or last moved at level k lies at its
+/// position P_k of uniform Catmull-Clark, thanks to the virtual edge points of Y-elements.
+/// Boundaries follow the cubic B-spline. The same input gives the same bytes for any number of
+/// threads. Time and memory are proportional to the output.
+/// Errors: kOverBudget (before any work, with the exact count), kCancelled.
+[[nodiscard]] Result<RefinedMesh> refine(const ControlMesh& mesh, const VertexLabels& labels,
+                                         const SubdivisionSettings& settings,
+                                         const RefineLimits& limits, Progress& progress);
+
+}  // namespace limn

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+#include "limn/progress.h"
+#include "limn/subdivision/labels.h"
+
+namespace limn {
+
+/// One choice of the greedy: the vertex it raised from 0 to 1, and why that one.
+struct LegalisationStep {
+  std::uint32_t vertex = kNone;
+  std::uint32_t valence = 0;  ///< Illegal neighbours along mesh edges when it was chosen.
+  std::uint32_t cost = 0;     ///< Faces around it that had exactly three zero labels.
+};
+
+struct Legalisation {
+  VertexLabels labels;                  ///< No face is illegal under these.
+  std::vector<LegalisationStep> steps;  ///< In order; what a step-by-step display replays.
+};
+
+/// Removes every illegal vertex in the paper's greedy order, in O(n log n) (algorithm: Yong & Cheng
+/// 2005, section on illegal vertices).
+///
+/// While there are illegal vertices: the candidates are the illegal vertices adjacent to an illegal
+/// vertex of valence 1, or all illegal ones where no valence is 1; the candidate with the highest
+/// valence, then the lowest cost, then the lowest index becomes 1.
+/// `labels` come from `apply_non_quad_rule` with the same `rule`. Under kWherePainted a relabelled
+/// vertex also raises the zeros of the non-quad faces around it. Under kUniformFirstStep on a mesh
+/// with non-quads every face splits in the first step, so there is nothing to do.
+/// Errors: kCancelled.
+[[nodiscard]] Result<Legalisation> legalise_greedy(const ControlMesh& mesh, VertexLabels labels,
+                                                   NonQuadRule rule, Progress& progress);
+
+}  // namespace limn

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "limn/mesh/control_mesh.h"
+#include "limn/subdivision/labels.h"
+
+namespace limn {
+
+/// "All levels the labels ask for."
+inline constexpr int kAllLevels = 255;
+
+/// What a refinement will produce, known exactly before it runs.
+struct RefinementPrediction {
+  std::uint64_t faces = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t bytes = 0;          ///< Of the RefinedMesh arrays.
+  std::uint64_t uniform_faces = 0;  ///< Of uniform Catmull-Clark at the same greatest level.
+  int levels = 0;                   ///< Steps that will be made.
+};
+
+/// Counts by the recursion of the face patterns, with one table entry per label quadruple: the time
+/// is linear in the control mesh, whatever the depth. Counts saturate at 2^64 - 1.
+/// `labels` must be legal; `levels` stops after so many steps.
+[[nodiscard]] RefinementPrediction predict_refinement(const ControlMesh& mesh,
+                                                      const VertexLabels& labels,
+                                                      int levels = kAllLevels);
+
+}  // namespace limn
