@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "limn/error.h"
 #include "limn/painting/depth_change.h"
@@ -18,8 +19,15 @@ struct PaintRule {
 };
 
 /// Reads `all:+1`, `visible:+1`, `dihedral>30:+2`, `faces=0,3-9:=4`. Blanks around the parts are
-/// allowed. Errors: kUsage, naming the part that was not understood and what may stand there.
+/// allowed; the change is at most kMaxDepth. Whether the faces exist is asked when it is applied.
+/// Errors: kUsage, naming the part that was not understood and what may stand there.
 [[nodiscard]] Result<PaintRule> parse_paint_rule(std::string_view text);
+
+/// Reads the rules of a text, one a line, in order. From `#` to the end of a line is a comment;
+/// blank lines are passed over. `source` is the path or name for messages.
+/// Errors: those of `parse_paint_rule`, with `source` and the 1-based line.
+[[nodiscard]] Result<std::vector<PaintRule>> parse_paint_rules(std::string_view text,
+                                                               const std::string& source);
 
 /// The rule as `parse_paint_rule` reads it.
 [[nodiscard]] std::string to_string(const PaintRule& rule);

@@ -18,8 +18,12 @@ struct SelectAll {
 struct SelectVisible {
   [[nodiscard]] bool operator==(const SelectVisible&) const = default;
 };
+/// Angles, in degrees, that differ by less than this count as equal: what rounding leaves of the
+/// coordinates must not decide whether "over 90 degrees" takes the faces of a cube.
+inline constexpr double kDihedralTolerance = 1e-6;
+
 /// Faces with an edge whose dihedral angle (between the normals of its two faces, 0 where flat) is
-/// greater than `degrees`, 0..180. Boundary edges have none.
+/// greater than `degrees`, 0..180, by more than kDihedralTolerance. Boundary edges have none.
 struct SelectDihedral {
   double degrees = 30.0;
   [[nodiscard]] bool operator==(const SelectDihedral&) const = default;
@@ -41,7 +45,8 @@ using Selection = std::variant<SelectAll, SelectVisible, SelectDihedral, SelectF
 using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
 
 /// The largest dihedral angle over each face's edges, in degrees, one entry per face; 0 for a face
-/// with boundary edges only. Face normals are Newell's, so non-planar polygons have one too.
+/// with boundary edges only. Face normals are Newell's, so non-planar polygons have one too; a face
+/// without area has none, and no angle with its neighbours.
 [[nodiscard]] std::vector<double> face_dihedral_angles(const ControlMesh& mesh);
 
 /// The selected faces, ascending. Errors: kUsage where a face number is out of range, and whatever

@@ -1,0 +1,134 @@
+// Angles are gathered face by face from Newell normals of unit length; every selection comes out
+// ascending and without repeats.
+#include "limn/painting/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace limn {
+namespace {
+
+/// Unit normal by Newell's sum, zero where the face has no area. Coordinates are taken relative to
+/// the first corner and in units of the face's own size, so that neither a face far from the origin
+/// nor a tiny or huge one loses its normal to rounding, underflow or overflow.
+glm::dvec3 newell_normal(std::span<const glm::dvec3> positions,
+                         std::span<const std::uint32_t> corners) {
+  // Halved before subtracting: the difference of two finite numbers may be infinite.
+  const glm::dvec3 origin = 0.5 * positions[corners[0]];
+  double extent = 0.0;
+  for (const std::uint32_t corner : corners) {
+    const glm::dvec3 offset = 0.5 * positions[corner] - origin;
+    extent = std::max({extent, std::abs(offset.x), std::abs(offset.y), std::abs(offset.z)});
+  }
+  if (extent == 0.0) {
+    return glm::dvec3(0.0);
+  }
+  glm::dvec3 sum(0.0);
+  glm::dvec3 from = (0.5 * positions[corners.back()] - origin) / extent;
+  for (const std::uint32_t corner : corners) {
+    const glm::dvec3 to = (0.5 * positions[corner] - origin) / extent;
+    sum += glm::cross(from, to);
+    from = to;
+  }
+  const double length = glm::length(sum);
+  return length > 0.0 ? sum / length : glm::dvec3(0.0);
+}
+
+/// By atan2, which keeps its precision near 0 and 180 degrees where acos has none.
+double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * (180.0 / std::numbers::pi);
+}
+
+std::vector<std::uint32_t> select_all(const ControlMesh& mesh) {
+  std::vector<std::uint32_t> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
+
+std::vector<std::uint32_t> select_sharper_than(const ControlMesh& mesh, double degrees) {
+  const std::vector<double> angles = face_dihedral_angles(mesh);
+  std::vector<std::uint32_t> faces;
+  for (std::size_t f = 0; f < angles.size(); ++f) {
+    if (angles[f] > degrees + kDihedralTolerance) {
+      faces.push_back(static_cast<std::uint32_t>(f));
+    }
+  }
+  return faces;
+}
+
+Result<std::vector<std::uint32_t>> select_ranges(const ControlMesh& mesh,
+                                                 const SelectFaces& selection) {
+  for (const SelectFaces::Range& range : selection.ranges) {
+    if (range.last >= mesh.face_count()) {
+      return fail(ErrorKind::kUsage,
+                  fmt::format("There is no face {}: the mesh has {} faces, numbered 0 to {}.",
+                              range.last, mesh.face_count(), mesh.face_count() - 1));
+    }
+    if (range.first > range.last) {
+      return fail(ErrorKind::kUsage,
+                  fmt::format("The face range {}-{} runs backwards; write {}-{}.", range.first,
+                              range.last, range.last, range.first));
+    }
+  }
+  std::vector<SelectFaces::Range> ranges = selection.ranges;
+  std::sort(ranges.begin(), ranges.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::uint32_t> faces;
+  std::uint32_t next = 0;  // Every face below has been dealt with.
+  for (const SelectFaces::Range& range : ranges) {
+    for (std::uint32_t f = std::max(next, range.first); f <= range.last; ++f) {
+      faces.push_back(f);
+    }
+    next = std::max(next, range.last + 1);
+  }
+  return faces;
+}
+
+}  // namespace
+
+std::vector<double> face_dihedral_angles(const ControlMesh& mesh) {
+  const std::size_t face_count = mesh.face_count();
+  std::vector<glm::dvec3> normals(face_count);
+  for (std::size_t f = 0; f < face_count; ++f) {
+    normals[f] = newell_normal(mesh.positions(), mesh.face(f));
+  }
+  const FlatTopology& topology = mesh.topology();
+  std::vector<double> angles(face_count, 0.0);
+  for (const auto& [corner, twin] : topology.edge_corners) {
+    if (twin == kNone) {
+      continue;
+    }
+    const std::uint32_t f = topology.corner_faces[corner];
+    const std::uint32_t g = topology.corner_faces[twin];
+    const double angle = degrees_between(normals[f], normals[g]);
+    angles[f] = std::max(angles[f], angle);
+    angles[g] = std::max(angles[g], angle);
+  }
+  return angles;
+}
+
+Result<std::vector<std::uint32_t>> select_faces(const ControlMesh& mesh, const Selection& selection,
+                                                const VisibleFaces& visible) {
+  if (std::holds_alternative<SelectAll>(selection)) {
+    return select_all(mesh);
+  }
+  if (const auto* dihedral = std::get_if<SelectDihedral>(&selection)) {
+    return select_sharper_than(mesh, dihedral->degrees);
+  }
+  if (const auto* faces = std::get_if<SelectFaces>(&selection)) {
+    return select_ranges(mesh, *faces);
+  }
+  if (!visible) {
+    return fail(ErrorKind::kUsage,
+                "\"visible\" needs a camera to see from, and here is none; choose faces by "
+                "\"all\", \"dihedral>DEGREES\" or \"faces=LIST\".");
+  }
+  return visible();
+}
+
+}  // namespace limn
