@@ -22,6 +22,12 @@ function(limn_embed target namespace)
     DEPENDS ${inputs} ${LIMN_EMBED_SCRIPT}
     COMMENT "Embedding ${room}"
     VERBATIM)
-  target_sources(${target} PRIVATE ${out}/${room}.cpp ${out}/${room}.h)
+  # An object library of this folder, since the rule above is known to targets of this folder alone
+  # and TARGET may belong to another one.
+  add_library(${target}_embedded_${room} OBJECT ${out}/${room}.cpp ${out}/${room}.h)
+  set_target_properties(${target}_embedded_${room} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(${target}_embedded_${room} PRIVATE limn_options)
+  target_include_directories(${target}_embedded_${room} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_embedded_${room}>)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
