@@ -1,0 +1,23 @@
+#pragma once
+
+#include "limn/mesh/polygon_soup.h"
+
+/// The bundled meshes, one function each. All are y-up, about 2 units across, centred around the
+/// origin, with faces counter-clockwise seen from outside.
+namespace limn::generator {
+
+// solids.cpp
+[[nodiscard]] PolygonSoup cube();
+/// The cube with every square cut along a diagonal: 12 triangles.
+[[nodiscard]] PolygonSoup cube_triangulated();
+[[nodiscard]] PolygonSoup icosahedron();
+/// The rhombicosidodecahedron: 20 triangles, 30 squares and 12 pentagons.
+[[nodiscard]] PolygonSoup rhombicosidodecahedron();
+
+// surfaces.cpp
+/// An open sheet of 12 x 12 quads with a gentle wave in it.
+[[nodiscard]] PolygonSoup wavy_grid();
+/// A torus of quads with a window cut into it: one boundary loop.
+[[nodiscard]] PolygonSoup torus_with_window();
+
+}  // namespace limn::generator
