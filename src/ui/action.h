@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace limn::ui {
+
+/// Everything a person can do, once. Menus, buttons and keys emit these; the program carries them
+/// out in one place (app/). Labels, tooltips and keys are in action_table.h and keymap.h.
+///
+/// Where a comment names a value, the action carries it. A *toggle* carries a bool to set it
+/// outright, or nothing to flip it. An action that wants a path and carries none asks for it by a
+/// PathPrompt (model.h).
+enum class ActionId : std::uint8_t {
+  // File
+  kOpen,           ///< std::string path of a mesh or project; without: ask.
+  kOpenBundled,    ///< std::string name, one of Model::bundled_meshes.
+  kSaveProject,    ///< To the document's project path; asks where there is none.
+  kSaveProjectAs,  ///< std::string path; without: ask.
+  kExportRefined,  ///< std::string path of the OBJ file to write; without: ask.
+  kScreenshot,
+  kQuit,
+
+  // Edit
+  kUndo,
+  kRedo,
+  kRevert,  ///< Back to the mesh as it was opened, unpainted.
+
+  // Painting rules
+  kRaiseAll,
+  kLowerAll,
+  kZeroAll,
+  kRaiseVisible,
+  kRaiseDihedral,         ///< +1 on faces with an edge over the threshold.
+  kSetDihedralThreshold,  ///< double, degrees, 0..180.
+
+  // Tools: what a plain left drag in the viewport does
+  kToolPaint,
+  kToolLower,
+  kToolPick,
+  kToolOrbit,
+
+  // Brush
+  kBrushAdds,       ///< The brush adds 1.
+  kBrushSets,       ///< The brush sets the target depth.
+  kSetTargetDepth,  ///< int, 0..kMaxDepth.
+  kPickDepth,       ///< The depth of the face under the cursor becomes the target depth.
+  kBrushBigger,
+  kBrushSmaller,
+  kSetBrushRadius,  ///< double, window units, kMinBrushRadius..kMaxBrushRadius (model.h).
+
+  // Subdivide
+  kRemoveIllegal,
+  kSubdivide,          ///< To the end.
+  kSubdivideOneLevel,  ///< One level more than is shown now.
+  kBackToControl,      ///< Stage 0: nothing subdivided, labels as painted.
+  kApply,              ///< The refined mesh becomes the control mesh.
+  kNonQuadsUniformFirstStep,
+  kNonQuadsWherePainted,
+  kCornersSharp,
+  kCornersSmooth,
+
+  // Display
+  kShowControl,
+  kShowRefined,
+  kShowBoth,
+  kToggleWireframe,
+  kToggleSmooth,
+  kToggleLight,
+  kToggleLabels,
+  kToggleIllegalMarks,
+  kThemeDark,
+  kThemeLight,
+
+  // Camera
+  kToggleOrthographic,
+  kFrameAll,
+  kFramePainted,
+  kFrameHovered,  ///< The face under the cursor.
+  kZoomIn,
+  kZoomOut,
+  kViewFront,
+  kViewBack,
+  kViewLeft,
+  kViewRight,
+  kViewTop,
+  kViewBottom,
+  kViewIso,
+
+  // Program
+  kHelp,
+  kKeymapOriginal,
+  kKeymapClassroom,
+
+  // Answers to what Model::modal shows
+  kCancel,          ///< Closes the dialog; otherwise stops the refinement, or gives up the stroke.
+  kBrowse,          ///< std::string folder that the path prompt shall list.
+  kRefineAnyway,    ///< OverBudgetQuestion: go on.
+  kSaveFirst,       ///< UnsavedQuestion: save, then go on.
+  kDiscardChanges,  ///< UnsavedQuestion: go on without saving.
+};
+
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::kDiscardChanges) + 1;
+
+using ActionValue = std::variant<std::monostate, bool, int, double, std::string>;
+
+/// One wish of the person at the screen, as plain data: it can be written down and played back.
+struct Action {
+  ActionId id = ActionId::kCancel;
+  ActionValue value;
+
+  Action() = default;
+  Action(ActionId what) : id(what) {}  // NOLINT(google-explicit-constructor): reads as the id.
+  Action(ActionId what, ActionValue with) : id(what), value(std::move(with)) {}
+
+  [[nodiscard]] bool operator==(const Action&) const = default;
+};
+
+}  // namespace limn::ui

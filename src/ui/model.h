@@ -1,0 +1,189 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "limn/document/view_state.h"
+#include "limn/error.h"
+#include "limn/subdivision/settings.h"
+
+namespace limn {
+struct CrackCheck;
+struct Document;
+struct MeshStatistics;
+struct RefinementPrediction;
+}  // namespace limn
+
+namespace limn::ui {
+
+enum class ShowMode : std::uint8_t {
+  kControl,  ///< The control mesh.
+  kRefined,  ///< The refined mesh.
+  kBoth,     ///< The control cage as lines over the refined mesh.
+};
+enum class Theme : std::uint8_t { kDark, kLight };
+enum class KeymapId : std::uint8_t {
+  kOriginal,   ///< The keys of the program Limn grew from; a plain left drag uses the brush.
+  kClassroom,  ///< The keys of a course's mesh viewer; choosing it takes up the orbit tool.
+};
+
+/// How the picture is drawn.
+struct DisplaySettings {
+  ShowMode show = ShowMode::kRefined;
+  Theme theme = Theme::kDark;
+  bool wireframe = true;
+  bool smooth = false;
+  bool light = true;
+  bool labels = false;         ///< Vertex labels as numbered points.
+  bool illegal_marks = false;  ///< Illegal faces hatched, illegal vertices as dots.
+
+  [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
+};
+
+/// What a plain left drag in the viewport does. Shift or Ctrl turns kPaint into lowering by 1; Alt
+/// and the other buttons move the camera whatever the tool.
+enum class Tool : std::uint8_t { kPaint, kLower, kPick, kOrbit };
+
+inline constexpr double kMinBrushRadius = 2.0;
+inline constexpr double kMaxBrushRadius = 300.0;
+
+struct BrushSettings {
+  Tool tool = Tool::kPaint;
+  bool sets_depth = false;  ///< kPaint sets the target depth; otherwise it adds 1.
+  int target_depth = 1;     ///< 0..kMaxDepth.
+  double radius = 24.0;     ///< Window units.
+
+  [[nodiscard]] bool operator==(const BrushSettings&) const = default;
+};
+
+/// A refinement that runs off the main thread right now.
+struct RunningRefinement {
+  double fraction = 0.0;  ///< 0..1.
+  std::string stage;      ///< "Refining level 3".
+};
+
+/// The last refinement that was finished; it may be older than the painting.
+struct RefinementResult {
+  std::size_t faces = 0;
+  std::size_t vertices = 0;
+  std::size_t bytes = 0;
+  std::size_t uniform_faces = 0;  ///< Uniform Catmull-Clark at the same greatest level.
+  int levels = 0;                 ///< Steps made.
+  double legalise_seconds = 0.0;
+  double refine_seconds = 0.0;
+  const CrackCheck* cracks = nullptr;  ///< Null where it has not been checked yet.
+};
+
+/// Labels of the painting, before and after legalisation.
+struct LegalityStatus {
+  std::size_t illegal_faces = 0;     ///< As painted.
+  std::size_t illegal_vertices = 0;  ///< As painted.
+  std::size_t relabelled = 0;        ///< Vertices that legalisation raises to 1.
+  std::size_t left = 0;              ///< Illegal faces afterwards: 0, or Limn has a bug.
+};
+
+struct RefinementStatus {
+  std::optional<RunningRefinement> running;
+  const RefinementPrediction* prediction = nullptr;  ///< To the end, for the painting as it is.
+  std::optional<RefinementResult> result;            ///< Empty at stage 0.
+  std::optional<LegalityStatus> legality;
+};
+
+struct HistoryStatus {
+  std::string undo_name;  ///< Empty where there is nothing to undo.
+  std::string redo_name;
+  std::size_t bytes = 0;
+};
+
+/// The control face under the cursor.
+struct HoverInfo {
+  std::uint32_t face = 0;
+  int depth = 0;
+  std::size_t sides = 4;
+};
+
+/// A short message in the upper middle. The program drops it when its time is over.
+struct Toast {
+  enum class Kind : std::uint8_t { kDone, kNote, kProblem };
+  Kind kind = Kind::kNote;
+  std::string text;
+};
+
+/// Something failed; the document is as it was.
+struct ErrorDialog {
+  std::string title;  ///< "Cannot open spot.obj".
+  Error error;        ///< With file, line and reason where known.
+};
+/// A refinement would give more faces than the budget.
+struct OverBudgetQuestion {
+  std::uint64_t faces = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t budget = 0;
+};
+/// The document has changes that are about to be lost.
+struct UnsavedQuestion {
+  std::string document;  ///< Its name.
+  std::string next;      ///< What comes then, an infinitive: "quit", "open cube".
+};
+/// Keys and mouse of the keymap in use.
+struct HelpSheet {};
+
+struct FolderEntry {
+  std::string name;
+  bool is_folder = false;
+  std::uint64_t bytes = 0;  ///< Files only.
+
+  [[nodiscard]] bool operator==(const FolderEntry&) const = default;
+};
+/// Asks for a path. The program lists folders (folders first, then files that fit the purpose); a
+/// kBrowse action makes it list another one. Answered by the action of the purpose with the path.
+struct PathPrompt {
+  enum class Purpose : std::uint8_t { kOpen, kSaveProject, kExportRefined };
+  Purpose purpose = Purpose::kOpen;
+  std::uint64_t serial = 0;  ///< Another number for every prompt: resets the text field.
+  std::string folder;        ///< Absolute, as shown; ends without a separator.
+  std::string parent;        ///< Absolute; empty at the root.
+  std::vector<FolderEntry> entries;
+  std::string suggested_name;  ///< "creature.limn"; empty for kOpen.
+  std::string problem;         ///< Why the folder could not be listed; empty if it could.
+};
+
+/// What stands before everything else and wants an answer. One at a time.
+using Modal = std::variant<std::monostate, ErrorDialog, OverBudgetQuestion, UnsavedQuestion,
+                           HelpSheet, PathPrompt>;
+
+/// Everything the panels read in one frame. They change nothing: what a person wants comes back as
+/// actions. References and spans must live through the frame.
+struct Model {
+  const Document& document;
+  const MeshStatistics& statistics;  ///< Of the control mesh.
+  bool is_modified = false;
+
+  DisplaySettings display;
+  BrushSettings brush;
+  KeymapId keymap = KeymapId::kOriginal;
+  ViewState view;
+
+  std::array<std::size_t, kMaxDepth + 1> depth_counts{};  ///< Control faces of each depth.
+  double dihedral_threshold = 30.0;                       ///< Degrees.
+  std::optional<std::size_t> dihedral_faces;              ///< Faces over the threshold, if counted.
+
+  RefinementStatus refinement;
+  HistoryStatus history;
+  std::optional<HoverInfo> hover;
+  bool is_stroking = false;  ///< A brush stroke is going on.
+  double frame_seconds = 0.0;
+
+  std::span<const std::string> bundled_meshes;
+  std::span<const std::string> recent_files;  ///< Paths, newest first.
+  std::span<const Toast> toasts;
+  Modal modal;
+};
+
+}  // namespace limn::ui
