@@ -6,44 +6,55 @@
 #include <span>
 #include <vector>
 
-#include "limn/document/document.h"
 #include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
 #include "limn/mesh/refined_mesh.h"
 #include "limn/progress.h"
 #include "limn/subdivision/crack_check.h"
 #include "limn/subdivision/legalisation.h"
 #include "limn/subdivision/prediction.h"
 
+/// From a painting to its refinement in two stages, for the window and the command line alike: the
+/// labels are known long before the refined mesh.
 namespace limn {
 
-/// Everything derived from a control mesh and its painting, for the window and the command line
-/// alike.
+/// What a painting asks for, before anything is subdivided.
+struct DerivedLabels {
+  VertexLabels painted;                         ///< L(v) with the rule for non-quads.
+  std::vector<std::uint32_t> illegal_faces;     ///< Under `painted`, ascending.
+  std::vector<std::uint32_t> illegal_vertices;  ///< Likewise.
+  Legalisation legal;
+  RefinementPrediction prediction;  ///< Of all the levels the labels ask for.
+  double seconds = 0.0;
+};
+
+/// Labels, legalises and predicts. `depths` has one entry per face of `control`.
+/// Errors: kCancelled.
+[[nodiscard]] Result<DerivedLabels> derive_labels(const ControlMesh& control,
+                                                  std::span<const std::uint8_t> depths,
+                                                  const SubdivisionSettings& settings,
+                                                  Progress& progress);
+
+/// The refined mesh of a painting and what was found out about it.
 struct Refinement {
-  VertexLabels painted_labels;  ///< L(v) with the rule for non-quads, before legalisation.
-  std::vector<std::uint32_t> illegal_faces_before;     ///< Under `painted_labels`.
-  std::vector<std::uint32_t> illegal_vertices_before;  ///< Likewise.
-  Legalisation legalisation;
+  std::shared_ptr<const RefinedMesh> mesh;
   RefinementPrediction prediction;  ///< For the levels asked for; equals what `mesh` holds.
-  std::shared_ptr<const RefinedMesh>
-      mesh;           ///< Null where `levels` is 0: the control mesh itself is shown.
-  CrackCheck cracks;  ///< Of `mesh`; empty where that is null.
-  double legalise_seconds = 0.0;
+  CrackCheck cracks;
   double refine_seconds = 0.0;
   double check_seconds = 0.0;
 };
 
-struct RefinementRequest {
+struct RefinementOptions {
   SubdivisionSettings settings;
-  int levels = kAllLevels;  ///< 0 derives labels, legalisation and prediction only.
+  int levels = kAllLevels;  ///< 1..kAllLevels.
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// Labels, legalises, predicts, refines and checks, reporting one progress over all of it.
-/// `depths` has one entry per face of `control`.
-/// Errors: kOverBudget (with the exact count, before the refinement), kCancelled.
+/// Predicts, refines and checks, under one progress. `labels` are legal, from `derive_labels`.
+/// Errors: kOverBudget (with the exact count, before any work), kCancelled.
 [[nodiscard]] Result<Refinement> derive_refinement(const ControlMesh& control,
-                                                   std::span<const std::uint8_t> depths,
-                                                   const RefinementRequest& request,
+                                                   const VertexLabels& labels,
+                                                   const RefinementOptions& options,
                                                    Progress& progress);
 
 }  // namespace limn

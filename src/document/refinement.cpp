@@ -1,0 +1,81 @@
+#include "limn/document/refinement.h"
+
+#include <chrono>
+#include <string_view>
+#include <utility>
+
+#include "limn/subdivision/label_subdivision.h"
+#include "limn/subdivision/labels.h"
+
+namespace limn {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Shows an algorithm's 0..1 as a part of a longer run.
+class PartOf final : public Progress {
+ public:
+  PartOf(Progress& whole, double from, double to) : whole_(whole), from_(from), to_(to) {}
+  [[nodiscard]] bool report(double fraction, std::string_view stage) override {
+    return whole_.report(from_ + (to_ - from_) * fraction, stage);
+  }
+
+ private:
+  Progress& whole_;
+  double from_;
+  double to_;
+};
+
+}  // namespace
+
+Result<DerivedLabels> derive_labels(const ControlMesh& control,
+                                    std::span<const std::uint8_t> depths,
+                                    const SubdivisionSettings& settings, Progress& progress) {
+  const Stopwatch watch;
+  DerivedLabels derived;
+  derived.painted =
+      apply_non_quad_rule(control, vertex_labels(control, depths), settings.non_quads);
+  derived.illegal_faces = illegal_faces(control, derived.painted);
+  derived.illegal_vertices = illegal_vertices(control, derived.painted);
+  Result<Legalisation> legal = legal_labels(control, depths, settings, progress);
+  if (!legal) {
+    return tl::unexpected(std::move(legal.error()));
+  }
+  derived.legal = *std::move(legal);
+  derived.prediction = predict_refinement(control, derived.legal.labels);
+  derived.seconds = watch.seconds();
+  return derived;
+}
+
+Result<Refinement> derive_refinement(const ControlMesh& control, const VertexLabels& labels,
+                                     const RefinementOptions& options, Progress& progress) {
+  Refinement derived;
+  derived.prediction = predict_refinement(control, labels, options.levels);
+  const Stopwatch refining;
+  PartOf refine_part(progress, 0.0, 0.7);
+  Result<RefinedMesh> mesh =
+      refine(control, labels, options.settings, {options.levels, options.face_budget}, refine_part);
+  if (!mesh) {
+    return tl::unexpected(std::move(mesh.error()));
+  }
+  derived.mesh = std::make_shared<const RefinedMesh>(*std::move(mesh));
+  derived.refine_seconds = refining.seconds();
+
+  if (!progress.report(0.7, "Checking for cracks")) {
+    return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
+  }
+  const Stopwatch checking;
+  derived.cracks = check_cracks(control, *derived.mesh);
+  derived.check_seconds = checking.seconds();
+  return derived;
+}
+
+}  // namespace limn
