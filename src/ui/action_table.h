@@ -23,7 +23,7 @@ enum class ActionGroup : std::uint8_t {
   kFile,
   kEdit,
   kPaint,
-  kSubdivide,
+  kRefine,
   kDisplay,
   kCamera,
   kProgram,

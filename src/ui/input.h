@@ -17,7 +17,8 @@ namespace limn::ui {
 enum class MouseButton : std::uint8_t { kLeft, kRight, kMiddle };
 inline constexpr std::size_t kMouseButtonCount = 3;
 
-/// Keys by their place on a US keyboard; letters, digits and the others Limn has a use for.
+/// Keys Limn has a use for. Letters by what the keyboard's layout prints on them, where the window
+/// system tells (Ctrl+Z is Z on a German keyboard too); the others by their place on a US keyboard.
 enum class Key : std::uint8_t {
   // clang-format off
   kA, kB, kC, kD, kE, kF, kG, kH, kI, kJ, kK, kL, kM,

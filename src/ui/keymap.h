@@ -42,6 +42,9 @@ struct Binding {
 /// "Ctrl+Z" of the action in this keymap; empty where it has no key.
 [[nodiscard]] std::string key_text(KeymapId keymap, const Action& action);
 
+/// "Ctrl+Z or B": every chord of the action; empty where it has none.
+[[nodiscard]] std::string all_keys_text(KeymapId keymap, const Action& action);
+
 /// Whether holding the key down repeats the action (brush size, zoom, undo).
 [[nodiscard]] bool repeats(ActionId id) noexcept;
 

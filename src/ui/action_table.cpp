@@ -1,0 +1,180 @@
+// One row per action, in the order of ActionId. `info` indexes the table, and a check at compile
+// time keeps the two orders alike.
+
+#include "ui/action_table.h"
+
+namespace limn::ui {
+namespace {
+
+using enum ActionId;
+using enum ActionGroup;
+constexpr ValueKind kNothing = ValueKind::kNone;
+
+constexpr std::array<ActionInfo, kActionCount> kTable{{
+    {kOpen, kFile, ValueKind::kPathOrAsk, "Open…",
+     "Open a mesh (OBJ) or a Limn project. The mesh that is open stays if the file is bad."},
+    {kOpenBundled, kFile, ValueKind::kText, "Open bundled mesh",
+     "Open one of the control meshes that come with Limn."},
+    {kSaveProject, kFile, kNothing, "Save project",
+     "Save mesh, painting, settings and camera in one .limn file."},
+    {kSaveProjectAs, kFile, ValueKind::kPathOrAsk, "Save project as…",
+     "Save the project under another name."},
+    {kExportRefined, kFile, ValueKind::kPathOrAsk, "Export mesh…",
+     "Write the refined mesh to an OBJ file. The painted depths go along as material groups."},
+    {kScreenshot, kFile, kNothing, "Take screenshot", "Save a picture of the window as PNG."},
+    {kQuit, kFile, kNothing, "Quit", "Leave Limn. It asks before unsaved changes are lost."},
+
+    {kUndo, kEdit, kNothing, "Undo", "Take back the last change."},
+    {kRedo, kEdit, kNothing, "Redo", "Make the change again that was taken back last."},
+    {kRevert, kEdit, kNothing, "Revert to opened mesh",
+     "Go back to the mesh as it was opened, with nothing painted. Can be undone."},
+
+    {kRaiseAll, kPaint, kNothing, "Raise all", "Every face gets one level more."},
+    {kLowerAll, kPaint, kNothing, "Lower all",
+     "Every face gets one level less; faces at 0 stay there."},
+    {kZeroAll, kPaint, kNothing, "Zero all", "Clear the painting: every face gets depth 0."},
+    {kRaiseVisible, kPaint, kNothing, "Raise visible",
+     "Every face of which at least one pixel shows gets one level more."},
+    {kRaiseDihedral, kPaint, kNothing, "Raise sharp",
+     "Every face with an edge bent by more than the threshold gets one level more."},
+    {kSetDihedralThreshold, kPaint, ValueKind::kDouble, "Sharpness threshold",
+     "The angle in degrees between two neighbouring faces above which their edge counts as sharp."},
+
+    {kToolPaint, kPaint, kNothing, "Paint",
+     "Left drag paints the faces under the ring. Shift or Ctrl lowers them instead."},
+    {kToolLower, kPaint, kNothing, "Lower", "Left drag lowers the faces under the ring by 1."},
+    {kToolPick, kPaint, kNothing, "Pick depth",
+     "A click makes the depth of the face under the cursor the target depth."},
+    {kToolOrbit, kCamera, kNothing, "Orbit",
+     "Left drag turns the view. The middle button does so with every tool."},
+
+    {kBrushAdds, kPaint, kNothing, "Add 1", "The brush raises each face by 1, once a stroke."},
+    {kBrushSets, kPaint, kNothing, "Set depth",
+     "The brush gives each face the target depth, whatever it had."},
+    {kSetTargetDepth, kPaint, ValueKind::kInt, "Target depth",
+     "The depth that the brush sets: how many times a face is subdivided."},
+    {kPickDepth, kPaint, kNothing, "Pick depth here",
+     "The depth of the face under the cursor becomes the target depth."},
+    {kBrushBigger, kPaint, kNothing, "Bigger brush",
+     "Widen the ring of the brush. Ctrl and the wheel do so too."},
+    {kBrushSmaller, kPaint, kNothing, "Smaller brush",
+     "Narrow the ring of the brush. Ctrl and the wheel do so too."},
+    {kSetBrushRadius, kPaint, ValueKind::kDouble, "Brush radius",
+     "How wide the brush is on the screen."},
+
+    {kRemoveIllegal, kRefine, kNothing, "Remove illegal vertices",
+     "Raise as few vertices as the rule needs so that every face can be split without a crack. "
+     "Subdividing does this by itself; here you see the labels it gives."},
+    {kSubdivide, kRefine, kNothing, "Subdivide",
+     "Refine every face as deep as it is painted. The control mesh and the painting stay."},
+    {kSubdivideOneLevel, kRefine, kNothing, "One level", "Show one level of the subdivision more."},
+    {kBackToControl, kRefine, kNothing, "Back to control mesh",
+     "Show the mesh before any subdivision. The painting stays."},
+    {kApply, kRefine, kNothing, "Apply",
+     "Make the refined mesh the new control mesh, unpainted. From then on it is a mesh of its own "
+     "with another limit surface. Can be undone."},
+    {kNonQuadsUniformFirstStep, kRefine, kNothing, "Split everything once",
+     "On a mesh with faces that are not quads, the first level splits every face, so that only "
+     "quads are left. This is the published rule."},
+    {kNonQuadsWherePainted, kRefine, kNothing, "Split where painted",
+     "Faces that are not quads are split only where the painting reaches them; the others stay as "
+     "they are. Gives fewer faces."},
+    {kCornersSharp, kRefine, kNothing, "Stay",
+     "A boundary corner that belongs to one face stays where it is."},
+    {kCornersSmooth, kRefine, kNothing, "Round off",
+     "A boundary corner that belongs to one face is rounded off with the rest of the boundary."},
+
+    {kShowControl, kDisplay, kNothing, "Control", "Show the mesh you paint, coloured by depth."},
+    {kShowRefined, kDisplay, kNothing, "Refined",
+     "Show the subdivided mesh. Painting on it paints the control face underneath."},
+    {kShowBoth, kDisplay, kNothing, "Both",
+     "Show the subdivided mesh with the control mesh as a cage of lines."},
+    {kToggleWireframe, kDisplay, ValueKind::kToggle, "Wireframe", "Draw the edges of the faces."},
+    {kToggleSmooth, kDisplay, ValueKind::kToggle, "Smooth shading",
+     "Shade the surface without facets. Only the light changes, not the mesh."},
+    {kToggleLight, kDisplay, ValueKind::kToggle, "Light",
+     "Light the surface. Without it the pure depth colours show."},
+    {kToggleLabels, kDisplay, ValueKind::kToggle, "Vertex labels",
+     "Show at each vertex how many more levels the faces around it get."},
+    {kToggleIllegalMarks, kDisplay, ValueKind::kToggle, "Illegal faces",
+     "Hatch the quads that could not be split without a crack (exactly two of their labels are 0) "
+     "and dot those vertices."},
+    {kThemeDark, kDisplay, kNothing, "Dark theme", "Light text on a dark ground."},
+    {kThemeLight, kDisplay, kNothing, "Light theme", "Dark text on a light ground."},
+
+    {kToggleOrthographic, kCamera, ValueKind::kToggle, "Orthographic",
+     "Look without perspective: parallel lines stay parallel."},
+    {kFrameAll, kCamera, kNothing, "Frame all", "Move the camera so that the whole mesh fits."},
+    {kFramePainted, kCamera, kNothing, "Frame painted",
+     "Move the camera so that the painted faces fill the view."},
+    {kFrameHovered, kCamera, kNothing, "Frame face",
+     "Move the camera to the face under the cursor and turn around it from now on."},
+    {kZoomIn, kCamera, kNothing, "Zoom in", "Move the camera closer. The wheel does so too."},
+    {kZoomOut, kCamera, kNothing, "Zoom out", "Move the camera away. The wheel does so too."},
+    {kViewFront, kCamera, kNothing, "Front", "Look at the front of the mesh, along -Z."},
+    {kViewBack, kCamera, kNothing, "Back", "Look at the back of the mesh, along +Z."},
+    {kViewLeft, kCamera, kNothing, "Left", "Look from the left, along +X."},
+    {kViewRight, kCamera, kNothing, "Right", "Look from the right, along -X."},
+    {kViewTop, kCamera, kNothing, "Top", "Look from above, along -Y."},
+    {kViewBottom, kCamera, kNothing, "Bottom", "Look from below, along +Y."},
+    {kViewIso, kCamera, kNothing, "Three-quarter", "Look from the upper right front."},
+
+    {kHelp, kProgram, kNothing, "Keys and mouse", "Show everything the keys and the mouse do."},
+    {kKeymapOriginal, kProgram, kNothing, "Original keys",
+     "The keys of the program Limn grew from. A plain left drag paints."},
+    {kKeymapClassroom, kProgram, kNothing, "Classroom keys",
+     "The keys of a course's mesh viewer: S smooth, E edges, L light. A plain left drag orbits."},
+
+    {kCancel, kProgram, kNothing, "Cancel",
+     "Close the dialog, stop the refinement, or give up the stroke."},
+    {kBrowse, kAnswer, ValueKind::kText, "Open folder", "List the contents of this folder."},
+    {kRefineAnyway, kAnswer, kNothing, "Refine anyway",
+     "Carry out the refinement although it has more faces than the budget."},
+    {kSaveFirst, kAnswer, kNothing, "Save", "Save the project, then go on."},
+    {kDiscardChanges, kAnswer, kNothing, "Discard changes",
+     "Go on without saving. What was painted since the last save is lost."},
+}};
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < kActionCount; ++i) {
+    if (static_cast<std::size_t>(kTable[i].id) != i) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(is_in_order());
+
+}  // namespace
+
+const std::array<ActionInfo, kActionCount>& action_table() noexcept {
+  return kTable;
+}
+
+const ActionInfo& info(ActionId id) noexcept {
+  return kTable[static_cast<std::size_t>(id)];
+}
+
+std::string_view heading(ActionGroup group) noexcept {
+  switch (group) {
+    case kFile:
+      return "File";
+    case kEdit:
+      return "Edit";
+    case kPaint:
+      return "Paint";
+    case kRefine:
+      return "Subdivide";
+    case kDisplay:
+      return "Display";
+    case kCamera:
+      return "Camera";
+    case kProgram:
+      return "Program";
+    case kAnswer:
+      return "Dialogs";
+  }
+  return {};
+}
+
+}  // namespace limn::ui
