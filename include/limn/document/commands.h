@@ -10,6 +10,7 @@
 namespace limn {
 
 /// Changes depths: a stroke, a rule, "zero all". `edits` must fit the document it is applied to.
+/// The stage stays: what is shown refined is derived again from the new depths.
 [[nodiscard]] std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits,
                                                      std::string name);
 
@@ -24,7 +25,7 @@ namespace limn {
 [[nodiscard]] std::unique_ptr<Command> replace_control_command(
     std::shared_ptr<const ControlMesh> control, std::string name);
 
-/// Back to the mesh as it was opened, unpainted.
+/// Back to the mesh as it was opened, unpainted and at stage 0.
 [[nodiscard]] std::unique_ptr<Command> revert_command();
 
 }  // namespace limn

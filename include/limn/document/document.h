@@ -23,8 +23,10 @@ struct Stage {
   [[nodiscard]] bool operator==(const Stage&) const = default;
 };
 
-/// Counts up whenever the named part changes, so that whoever derives something from it (the
-/// renderer, a refinement) knows when to do so again.
+/// Counts up whenever the named part changes, undo and redo included, so that whoever derives
+/// something from it (the renderer, a refinement) knows when to do so again. Every document starts
+/// at numbers of its own, far from any other's: equal numbers mean the same contents of the same
+/// document, and 0 means nothing at all.
 struct Revisions {
   std::uint64_t control = 0;
   std::uint64_t depths = 0;
@@ -42,7 +44,7 @@ struct Document {
   std::string name;                    ///< For the title bar: "creature", "spot.obj".
   std::filesystem::path mesh_path;     ///< Empty for a bundled mesh.
   std::filesystem::path project_path;  ///< Empty until saved.
-  ImportReport import_report;
+  ImportReport import_report;          ///< Of the mesh as it was opened; empty for a project.
 
   /// The mesh as it was opened, for Revert; the same object as `control` until Apply.
   std::shared_ptr<const ControlMesh> opened;
@@ -50,7 +52,7 @@ struct Document {
   Revisions revisions;
 };
 
-/// A fresh, unpainted document.
+/// A fresh, unpainted document. `mesh.mesh` must be there.
 [[nodiscard]] Document make_document(ImportedMesh mesh, std::string name,
                                      std::filesystem::path mesh_path = {});
 

@@ -9,8 +9,9 @@
 
 namespace limn {
 
-/// Undo and redo, bounded by the bytes its commands keep alive; the oldest are forgotten first. The
-/// newest command is kept whatever its size.
+/// Undo and redo, bounded by the bytes its commands keep alive; the oldest are forgotten first, and
+/// where that is not enough, what lies farthest ahead in the redo list. The command that was last
+/// applied or undone is kept whatever its size.
 class History {
  public:
   explicit History(std::size_t byte_budget = std::size_t{256} << 20U) : byte_budget_(byte_budget) {}
@@ -25,6 +26,7 @@ class History {
   /// Name of what undo or redo would do; empty where there is nothing.
   [[nodiscard]] std::string undo_name() const;
   [[nodiscard]] std::string redo_name() const;
+  /// Does nothing where there is nothing to undo; the same for redo.
   void undo(Document& document);
   void redo(Document& document);
 
@@ -32,13 +34,16 @@ class History {
   /// Whether the document differs from when `mark_saved` was last called (or from its beginning).
   [[nodiscard]] bool is_modified() const noexcept;
   void mark_saved() noexcept;
-  /// Forgets everything: a new document was opened.
+  /// Forgets everything: a new document was opened. It counts as saved.
   void clear() noexcept;
 
  private:
+  void forget_redo() noexcept;
+  void keep_within_budget(std::size_t kept) noexcept;
+
   std::deque<std::unique_ptr<Command>> commands_;
-  std::size_t next_ = 0;  ///< commands_[0..next_) are applied.
-  std::size_t bytes_ = 0;
+  std::size_t next_ = 0;   ///< commands_[0..next_) are applied.
+  std::size_t bytes_ = 0;  ///< Sum of the commands' bytes, kept up to date.
   std::size_t byte_budget_;
   std::ptrdiff_t saved_at_ = 0;  ///< Value of next_ at the saved state; -1 once that is forgotten.
 };

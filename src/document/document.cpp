@@ -1,0 +1,31 @@
+#include "limn/document/document.h"
+
+#include <atomic>
+#include <utility>
+
+namespace limn {
+namespace {
+
+/// The high half numbers the document, the low half counts its changes.
+std::uint64_t first_revision() noexcept {
+  static std::atomic<std::uint64_t> documents{0};
+  return ++documents << 32U;
+}
+
+}  // namespace
+
+Document make_document(ImportedMesh mesh, std::string name, std::filesystem::path mesh_path) {
+  LIMN_EXPECTS(mesh.mesh != nullptr);
+  Document document;
+  document.depths = FaceDepths(mesh.mesh->face_count());
+  document.control = mesh.mesh;
+  document.opened = std::move(mesh.mesh);
+  document.name = std::move(name);
+  document.mesh_path = std::move(mesh_path);
+  document.import_report = std::move(mesh.report);
+  const std::uint64_t revision = first_revision();
+  document.revisions = {revision, revision, revision};
+  return document;
+}
+
+}  // namespace limn

@@ -1,0 +1,44 @@
+#include "mesh_bytes.h"
+
+#include <vector>
+
+namespace limn {
+namespace {
+
+template <class T>
+std::size_t array_bytes(const std::vector<T>& array) {
+  return array.capacity() * sizeof(T);
+}
+
+template <class Iterator>
+std::size_t property_bytes(Iterator first, Iterator last) {
+  std::size_t bytes = 0;
+  for (; first != last; ++first) {
+    if (*first != nullptr) {
+      bytes += (*first)->size_of();
+    }
+  }
+  return bytes;
+}
+
+std::size_t halfedge_bytes(const HalfedgeMesh& mesh) {
+  return mesh.n_vertices() * sizeof(HalfedgeMesh::Vertex) +
+         mesh.n_edges() * sizeof(HalfedgeMesh::Edge) + mesh.n_faces() * sizeof(HalfedgeMesh::Face) +
+         property_bytes(mesh.vprops_begin(), mesh.vprops_end()) +
+         property_bytes(mesh.hprops_begin(), mesh.hprops_end()) +
+         property_bytes(mesh.eprops_begin(), mesh.eprops_end()) +
+         property_bytes(mesh.fprops_begin(), mesh.fprops_end());
+}
+
+}  // namespace
+
+std::size_t mesh_bytes(const ControlMesh& mesh) {
+  const FlatTopology& topology = mesh.topology();
+  return sizeof(ControlMesh) + halfedge_bytes(mesh.halfedges()) + mesh.positions().size_bytes() +
+         array_bytes(topology.face_offsets) + array_bytes(topology.corner_vertices) +
+         array_bytes(topology.corner_edges) + array_bytes(topology.edge_vertices) +
+         array_bytes(topology.edge_corners) + array_bytes(topology.vertex_offsets) +
+         array_bytes(topology.vertex_corners) + array_bytes(topology.corner_faces);
+}
+
+}  // namespace limn
