@@ -1,0 +1,233 @@
+// In order: merge repeated corners and check every face alone; match edges; orient; separate fans;
+// write the half-edges. Each step is linear, and each relies on what the ones before it refuse.
+#include "limn/mesh/build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limn/contract.h"
+#include "mesh/edge_matching.h"
+#include "mesh/halfedge_assembly.h"
+#include "mesh/mending.h"
+
+namespace limn {
+namespace {
+
+/// Speaks of a soup's elements by source line where it has lines, else by 0-based number.
+class Names {
+ public:
+  explicit Names(const PolygonSoup& soup) : soup_(soup) {}
+
+  [[nodiscard]] std::string vertex(std::size_t v) const {
+    return has_vertex_lines() ? fmt::format("the vertex of line {}", soup_.vertex_lines[v])
+                              : fmt::format("vertex {}", v);
+  }
+  [[nodiscard]] std::string face(std::size_t f) const {
+    return has_face_lines() ? fmt::format("the face of line {}", soup_.face_lines[f])
+                            : fmt::format("face {}", f);
+  }
+  [[nodiscard]] tl::unexpected<Error> blame_vertex(std::size_t v, std::string message) const {
+    return fail(ErrorKind::kBadInput, std::move(message), soup_.source,
+                has_vertex_lines() ? soup_.vertex_lines[v] : 0);
+  }
+  /// `message` goes on from the name of the face.
+  [[nodiscard]] tl::unexpected<Error> blame_face(std::size_t f, const std::string& message) const {
+    return fail(ErrorKind::kBadInput,
+                has_face_lines() ? fmt::format("This face {}", message)
+                                 : fmt::format("Face {} {}", f, message),
+                soup_.source, has_face_lines() ? soup_.face_lines[f] : 0);
+  }
+
+ private:
+  [[nodiscard]] bool has_vertex_lines() const { return !soup_.vertex_lines.empty(); }
+  [[nodiscard]] bool has_face_lines() const { return !soup_.face_lines.empty(); }
+
+  const PolygonSoup& soup_;
+};
+
+void expect_well_formed(const PolygonSoup& soup) {
+  LIMN_EXPECTS(!soup.face_offsets.empty() && soup.face_offsets.front() == 0);
+  LIMN_EXPECTS(std::is_sorted(soup.face_offsets.begin(), soup.face_offsets.end()));
+  LIMN_EXPECTS(soup.face_offsets.back() == soup.face_vertices.size());
+  LIMN_EXPECTS(soup.vertex_lines.empty() || soup.vertex_lines.size() == soup.positions.size());
+  LIMN_EXPECTS(soup.face_lines.empty() || soup.face_lines.size() == soup.face_count());
+}
+
+Result<void> check_positions(const PolygonSoup& soup, const Names& names) {
+  for (std::size_t v = 0; v < soup.positions.size(); ++v) {
+    const glm::dvec3& p = soup.positions[v];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      return names.blame_vertex(
+          v, fmt::format("Vertex {} has a coordinate that is not a finite number: {} {} {}.", v + 1,
+                         p.x, p.y, p.z));
+    }
+  }
+  return {};
+}
+
+/// Copies the faces without the corners that repeat the one before them, and checks each alone.
+Result<detail::WorkingFaces> clean_faces(const PolygonSoup& soup, const Names& names) {
+  detail::WorkingFaces faces;
+  faces.vertex_count = soup.positions.size();
+  faces.offsets.reserve(soup.face_offsets.size());
+  faces.vertices.reserve(soup.face_vertices.size());
+  std::vector<std::uint32_t> last_seen_in(faces.vertex_count, kNone);
+
+  for (std::uint32_t f = 0; f < soup.face_count(); ++f) {
+    const std::size_t begin = faces.vertices.size();
+    for (const std::uint32_t v : soup.face(f)) {
+      if (v >= faces.vertex_count) {
+        return names.blame_face(f, fmt::format("names vertex {}, counted from 0, but there are {} "
+                                               "vertices.",
+                                               v, faces.vertex_count));
+      }
+      if (faces.vertices.size() == begin || faces.vertices.back() != v) {
+        faces.vertices.push_back(v);
+      }
+    }
+    if (faces.vertices.size() > begin + 1 && faces.vertices.back() == faces.vertices[begin]) {
+      faces.vertices.pop_back();
+    }
+
+    std::size_t distinct = 0;
+    std::uint32_t repeated = kNone;
+    for (std::size_t c = begin; c < faces.vertices.size(); ++c) {
+      const std::uint32_t v = faces.vertices[c];
+      if (std::exchange(last_seen_in[v], f) != f) {
+        ++distinct;
+      } else if (repeated == kNone) {
+        repeated = v;
+      }
+    }
+    if (distinct < 3) {
+      return names.blame_face(f, fmt::format("has {} distinct {}; a face needs at least three. "
+                                             "Delete it or give it more corners.",
+                                             distinct, distinct == 1 ? "vertex" : "vertices"));
+    }
+    if (repeated != kNone) {
+      return names.blame_face(f, fmt::format("meets {} twice. Split it into faces that meet each "
+                                             "vertex once.",
+                                             names.vertex(repeated)));
+    }
+    faces.offsets.push_back(static_cast<std::uint32_t>(faces.vertices.size()));
+  }
+  return faces;
+}
+
+std::size_t face_of_corner(const detail::WorkingFaces& faces, std::uint32_t corner) {
+  const auto after = std::upper_bound(faces.offsets.begin(), faces.offsets.end(), corner);
+  return static_cast<std::size_t>(after - faces.offsets.begin()) - 1;
+}
+
+tl::unexpected<Error> blame_crowded_edge(const detail::WorkingFaces& faces, std::uint32_t corner,
+                                         const Names& names) {
+  const std::size_t f = face_of_corner(faces, corner);
+  const std::uint32_t next = corner + 1 < faces.offsets[f + 1] ? corner + 1 : faces.offsets[f];
+  return names.blame_face(
+      f, fmt::format("is the third at the edge between {} and {}; a surface has at most two. "
+                     "Delete the inner faces or give this part vertices of its own.",
+                     names.vertex(faces.vertices[corner]), names.vertex(faces.vertices[next])));
+}
+
+HalfedgeMesh with_positions(HalfedgeMesh mesh, const PolygonSoup& soup,
+                            const std::vector<std::uint32_t>& vertex_sources) {
+  for (std::size_t v = 0; v < vertex_sources.size(); ++v) {
+    const glm::dvec3& p = soup.positions[vertex_sources[v]];
+    mesh.set_point(OpenMesh::VertexHandle(static_cast<int>(v)), {p.x, p.y, p.z});
+  }
+  return mesh;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+}  // namespace
+
+bool ImportReport::is_mended() const noexcept {
+  return flipped_faces + split_vertices + isolated_vertices + repeated_corners > 0;
+}
+
+std::vector<std::string> ImportReport::sentences() const {
+  std::vector<std::string> result;
+  if (flipped_faces > 0) {
+    result.push_back(fmt::format("{} turned over to agree with the neighbours.",
+                                 counted(flipped_faces, "face was", "faces were")));
+  }
+  if (split_vertices > 0) {
+    result.push_back(fmt::format("{} added where parts of the surface met in a single point.",
+                                 counted(split_vertices, "vertex was", "vertices were")));
+  }
+  if (isolated_vertices > 0) {
+    result.push_back(fmt::format("{} in no face and dropped.",
+                                 counted(isolated_vertices, "vertex was", "vertices were")));
+  }
+  if (repeated_corners > 0) {
+    result.push_back(
+        fmt::format("{} repeated the one before and merged with it.",
+                    counted(repeated_corners, "corner of a face was", "corners of faces were")));
+  }
+  for (const std::string& data : unused_data) {
+    result.push_back(fmt::format("Not used: {}.", data));
+  }
+  return result;
+}
+
+Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
+  expect_well_formed(soup);
+  const Names names(soup);
+  if (soup.face_count() == 0) {
+    return fail(ErrorKind::kBadInput, "There are no faces to paint on.", soup.source);
+  }
+  const auto with_source = [&](Error error) {
+    error.path = soup.source;
+    return tl::unexpected<Error>(std::move(error));
+  };
+  if (auto size = detail::check_halfedge_limits(soup.positions.size(), 0, soup.face_count());
+      !size) {
+    return with_source(std::move(size.error()));
+  }
+  if (auto finite = check_positions(soup, names); !finite) {
+    return tl::unexpected<Error>(std::move(finite.error()));
+  }
+  auto cleaned = clean_faces(soup, names);
+  if (!cleaned) {
+    return tl::unexpected<Error>(std::move(cleaned.error()));
+  }
+  detail::WorkingFaces faces = std::move(*cleaned);
+  ImportReport report;
+  report.repeated_corners = soup.face_vertices.size() - faces.vertices.size();
+
+  detail::EdgeMatching edges = detail::match_edges(faces.arrays());
+  if (edges.crowded_corner != kNone) {
+    return blame_crowded_edge(faces, edges.crowded_corner, names);
+  }
+  const detail::Orientation orientation = detail::orient(faces.arrays(), edges);
+  if (orientation.one_sided_face != kNone) {
+    return names.blame_face(orientation.one_sided_face,
+                            "lies on a surface with one side only, like a Moebius band, so its "
+                            "faces cannot all face outwards. Cut the surface open along an edge.");
+  }
+  if (orientation.flipped_faces > 0) {
+    detail::flip_faces(orientation.is_flipped, faces, edges);
+  }
+  report.flipped_faces = orientation.flipped_faces;
+
+  const detail::Fans fans = detail::separate_fans(faces, edges);
+  report.split_vertices = fans.split_vertices;
+  report.isolated_vertices = fans.isolated_vertices;
+  if (auto size = detail::check_halfedge_limits(faces.vertex_count, edges.edge_corners.size(),
+                                                faces.arrays().face_count());
+      !size) {
+    return with_source(std::move(size.error()));
+  }
+  return ImportedMesh{
+      std::make_shared<const ControlMesh>(with_positions(
+          detail::assemble_halfedges(faces.arrays(), edges), soup, fans.vertex_sources)),
+      std::move(report)};
+}
+
+}  // namespace limn

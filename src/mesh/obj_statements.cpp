@@ -1,0 +1,206 @@
+#include "mesh/obj_statements.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mesh/parse_number.h"
+#include "mesh/printable.h"
+
+namespace limn::detail {
+namespace {
+
+constexpr std::string_view Blanks = " \t";
+
+/// Takes the first word off `text`; empty at the end and before a comment.
+std::string_view take_word(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(Blanks), text.size()));
+  if (text.starts_with('#')) {
+    text = {};
+  }
+  const std::size_t end = std::min(text.find_first_of(Blanks), text.size());
+  const std::string_view word = text.substr(0, end);
+  text.remove_prefix(end);
+  return word;
+}
+
+std::string quoted(std::string_view word) {
+  return fmt::format("\"{}\"", printable(word));
+}
+
+}  // namespace
+
+ObjStatements::ObjStatements(std::string_view text, UnusedData& unused)
+    : rest_(text), unused_(unused) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (rest_.starts_with(byte_order_mark)) {
+    rest_.remove_prefix(byte_order_mark.size());
+  }
+  breaks_.push_back({0, 1});
+}
+
+ObjStatements::int_type ObjStatements::underflow() {
+  while (error_.message.empty() && read_statement()) {
+    std::string_view arguments = statement_;
+    const std::string_view keyword = take_word(arguments);
+    if (keyword == "v") {
+      if (!check_vertex(arguments)) {
+        break;
+      }
+      ++vertices_;
+    } else if (keyword == "f" || keyword == "fo") {
+      if (!check_face(arguments)) {
+        break;
+      }
+      // `fo` is the old name of `f`, which tinyobjloader does not know.
+      if (keyword == "fo") {
+        statement_[static_cast<std::size_t>(keyword.data() - statement_.data()) + 1] = ' ';
+      }
+    } else {
+      if (!keyword.empty()) {
+        unused_.count(keyword, take_word(arguments));
+      }
+      continue;
+    }
+    // What is left of the arguments is a comment, or nothing.
+    const std::size_t comment = statement_.find(" #");
+    const std::size_t tabbed_comment = statement_.find("\t#");
+    statement_.resize(std::min({comment, tabbed_comment, statement_.size()}));
+    statement_.push_back('\n');
+    setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
+    return traits_type::to_int_type(statement_.front());
+  }
+  return traits_type::eof();
+}
+
+std::string_view ObjStatements::read_line() {
+  const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+  const std::string_view line = rest_.substr(0, end);
+  const bool is_pair = rest_.substr(end).starts_with("\r\n");
+  rest_.remove_prefix(std::min(end + (is_pair ? 2 : 1), rest_.size()));
+  ++next_line_;
+  return line;
+}
+
+/// Joins the lines of the next statement into `statement_`. A comment is never continued: many end
+/// with a Windows path.
+bool ObjStatements::read_statement() {
+  if (rest_.empty()) {
+    return false;
+  }
+  statement_.clear();
+  breaks_.clear();
+  bool goes_on = true;
+  while (goes_on && !rest_.empty()) {
+    breaks_.push_back({statement_.size(), next_line_});
+    std::string_view line = read_line();
+    const std::size_t first = line.find_first_not_of(Blanks);
+    const std::size_t last = line.find_last_not_of(Blanks);
+    const bool is_comment = first != std::string_view::npos && line[first] == '#';
+    goes_on =
+        last != std::string_view::npos && line[last] == '\\' && !(is_comment && statement_.empty());
+    statement_.append(goes_on ? line.substr(0, last) : line);
+    if (goes_on) {
+      statement_.push_back(' ');
+    }
+  }
+  return true;
+}
+
+bool ObjStatements::check_vertex(std::string_view arguments) {
+  constexpr int most_numbers = 8;
+  double numbers[most_numbers];
+  int count = 0;
+  for (std::string_view word = take_word(arguments); !word.empty(); word = take_word(arguments)) {
+    if (count == most_numbers) {
+      return refuse(word,
+                    "A vertex has three coordinates, perhaps a weight and a colour; this one "
+                    "has more than eight numbers.");
+    }
+    if (!parse_number(word, numbers[count])) {
+      return refuse(word, fmt::format("{} is not a number.", quoted(word)));
+    }
+    ++count;
+  }
+  if (count < 3) {
+    return refuse(statement_,
+                  fmt::format("A vertex needs three coordinates; this one has {}.", count));
+  }
+  position_ = {numbers[0], numbers[1], numbers[2]};
+  if (count == 4 && numbers[3] != 1.0) {
+    unused_.count_weight();
+  } else if (count > 4) {
+    unused_.count_colour();
+  }
+  return true;
+}
+
+bool ObjStatements::check_face(std::string_view arguments) {
+  std::size_t corners = 0;
+  for (std::string_view word = take_word(arguments); !word.empty(); word = take_word(arguments)) {
+    // v, v/vt, v/vt/vn or v//vn; only the first is used, but all have to be numbers.
+    std::string_view rest = word;
+    for (int part = 0; part < 3; ++part) {
+      const std::size_t slash = std::min(rest.find('/'), rest.size());
+      const std::string_view index = rest.substr(0, slash);
+      if (part == 0 ? !check_index(word, index)
+                    : !index.empty() && !parse_index(index).has_value()) {
+        return part == 0 ? false
+                         : refuse(word, fmt::format("{} is not a corner of a face; it should read "
+                                                    "like 7, 7/2, 7/2/5 or 7//5.",
+                                                    quoted(word)));
+      }
+      const bool has_more = slash < rest.size();
+      if (has_more && part == 2) {
+        return refuse(word, fmt::format("{} has more than three indices.", quoted(word)));
+      }
+      rest.remove_prefix(std::min(slash + 1, rest.size()));
+      if (!has_more) {
+        break;
+      }
+    }
+    ++corners;
+  }
+  if (corners < 3) {
+    return refuse(statement_,
+                  fmt::format("A face needs at least three corners; this one has {}.", corners));
+  }
+  return true;
+}
+
+bool ObjStatements::check_index(std::string_view token, std::string_view index) {
+  const std::optional<std::int64_t> value = parse_index(index);
+  if (!value) {
+    return refuse(token, fmt::format("{} is not a corner of a face; it should read like 7, 7/2, "
+                                     "7/2/5 or 7//5.",
+                                     quoted(token)));
+  }
+  if (*value == 0) {
+    return refuse(token, "A face names vertex 0; vertices are counted from 1.");
+  }
+  if (*value < -vertices_) {
+    return refuse(token, fmt::format("A face names vertex {}, counted back from here, but only {} "
+                                     "{} before it.",
+                                     *value, vertices_, vertices_ == 1 ? "stands" : "stand"));
+  }
+  if (*value > std::numeric_limits<int>::max()) {
+    return refuse(token, fmt::format("A face names vertex {}; the most a mesh can have are {}.",
+                                     *value, std::numeric_limits<int>::max()));
+  }
+  return true;
+}
+
+/// `culprit` points into `statement_`; it tells the line.
+bool ObjStatements::refuse(std::string_view culprit, std::string message) {
+  const auto offset = static_cast<std::size_t>(culprit.data() - statement_.data());
+  const auto after =
+      std::upper_bound(breaks_.begin(), breaks_.end(), offset,
+                       [](std::size_t o, const LineBreak& b) { return o < b.offset; });
+  error_ = Error{ErrorKind::kBadInput, std::move(message), {}, std::prev(after)->line};
+  return false;
+}
+
+}  // namespace limn::detail

@@ -1,0 +1,116 @@
+#include "mesh/unused_data.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mesh/printable.h"
+
+namespace limn::detail {
+namespace {
+
+struct Keyword {
+  std::string_view keyword;
+  std::string_view one;
+  std::string_view many;
+};
+
+constexpr Keyword Keywords[] = {
+    {"vt", "texture coordinate", "texture coordinates"},
+    {"vn", "normal", "normals"},
+    {"vp", "parameter-space point", "parameter-space points"},
+    {"vw", "skin weight", "skin weights"},
+    {"g", "group statement", "group statements"},
+    {"s", "smoothing group statement", "smoothing group statements"},
+    {"o", "object name", "object names"},
+    {"usemtl", "material assignment", "material assignments"},
+    {"mtllib", "material library", "material libraries"},
+    {"l", "line element", "line elements"},
+    {"p", "point element", "point elements"},
+    {"curv", "free-form curve", "free-form curves"},
+    {"curv2", "free-form curve", "free-form curves"},
+    {"surf", "free-form surface", "free-form surfaces"},
+    {"cstype", "free-form attribute", "free-form attributes"},
+    {"deg", "free-form attribute", "free-form attributes"},
+    {"bmat", "free-form attribute", "free-form attributes"},
+    {"step", "free-form attribute", "free-form attributes"},
+    {"parm", "free-form attribute", "free-form attributes"},
+    {"trim", "free-form attribute", "free-form attributes"},
+    {"hole", "free-form attribute", "free-form attributes"},
+    {"scrv", "free-form attribute", "free-form attributes"},
+    {"sp", "free-form attribute", "free-form attributes"},
+    {"end", "free-form attribute", "free-form attributes"},
+    {"con", "free-form attribute", "free-form attributes"},
+    {"mg", "free-form attribute", "free-form attributes"},
+    {"ctech", "free-form attribute", "free-form attributes"},
+    {"stech", "free-form attribute", "free-form attributes"},
+    {"bevel", "display attribute", "display attributes"},
+    {"c_interp", "display attribute", "display attributes"},
+    {"d_interp", "display attribute", "display attributes"},
+    {"lod", "display attribute", "display attributes"},
+    {"maplib", "display attribute", "display attributes"},
+    {"usemap", "display attribute", "display attributes"},
+    {"shadow_obj", "display attribute", "display attributes"},
+    {"trace_obj", "display attribute", "display attributes"},
+};
+
+}  // namespace
+
+void UnusedData::add(std::string_view one, std::string_view many) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& entry) { return entry.one == one; });
+  if (found != entries_.end()) {
+    ++found->count;
+  } else {
+    entries_.push_back({std::string(one), std::string(many), 1});
+  }
+}
+
+/// Names the first few kinds and sums up the rest: a file that is no OBJ has thousands.
+void UnusedData::add_unknown(std::string_view what, std::string_view name) {
+  constexpr std::size_t most_kinds = 8;
+  const std::string one = fmt::format("\"{}\" {}", printable(name), what);
+  const bool is_known = std::any_of(entries_.begin(), entries_.end(),
+                                    [&](const Entry& entry) { return entry.one == one; });
+  if (!is_known && unknown_kinds_ == most_kinds) {
+    add("other unknown statement", "other unknown statements");
+    return;
+  }
+  unknown_kinds_ += is_known ? 0 : 1;
+  add(one, one + "s");
+}
+
+void UnusedData::count(std::string_view keyword, std::string_view argument) {
+  const auto known = std::find_if(std::begin(Keywords), std::end(Keywords),
+                                  [&](const Keyword& k) { return k.keyword == keyword; });
+  if (known != std::end(Keywords)) {
+    add(known->one, known->many);
+  } else if (keyword == "t" && argument == "crease") {
+    add("crease tag", "crease tags");
+  } else if (keyword == "t" && argument == "corner") {
+    add("corner tag", "corner tags");
+  } else if (keyword == "t") {
+    add_unknown("tag", argument);
+  } else {
+    add_unknown("statement", keyword);
+  }
+}
+
+void UnusedData::count_weight() {
+  add("vertex weight", "vertex weights");
+}
+
+void UnusedData::count_colour() {
+  add("vertex colour", "vertex colours");
+}
+
+std::vector<std::string> UnusedData::phrases() const {
+  std::vector<std::string> result;
+  result.reserve(entries_.size());
+  for (const Entry& entry : entries_) {
+    result.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? entry.one : entry.many));
+  }
+  return result;
+}
+
+}  // namespace limn::detail
