@@ -1,0 +1,196 @@
+// One worker, one mutex. A request is taken out of `waiting_` under a ticket; every report of
+// progress and every result compares its ticket with the current one, so a submit or cancel makes
+// all older work stop at its next report and keeps its late results out.
+#include "app/refinement_job.h"
+
+#include <new>
+#include <utility>
+
+#include "limn/progress.h"
+#include "limn/subdivision/prediction.h"
+
+namespace limn::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kReportInterval = std::chrono::milliseconds(40);
+
+}  // namespace
+
+/// Passes progress on to the owner, a few times a second at most, and says when work went stale.
+class RefinementJob::JobProgress final : public Progress {
+ public:
+  JobProgress(RefinementJob& job, const std::stop_token& stop, std::uint64_t ticket)
+      : job_(job), stop_(stop), ticket_(ticket) {}
+
+  [[nodiscard]] bool report(double fraction, std::string_view stage) override {
+    if (stop_.stop_requested()) {
+      return false;
+    }
+    const auto now = Clock::now();
+    bool is_shown = false;
+    {
+      const std::lock_guard lock(job_.mutex_);
+      if (job_.ticket_ != ticket_) {
+        return false;
+      }
+      if (now - shown_at_ >= kReportInterval) {
+        shown_at_ = now;
+        is_shown = true;
+        job_.status_.fraction = fraction;
+        job_.status_.stage = stage;
+      }
+    }
+    if (is_shown) {
+      job_.wake_();
+    }
+    return true;
+  }
+
+ private:
+  RefinementJob& job_;
+  const std::stop_token& stop_;
+  std::uint64_t ticket_;
+  Clock::time_point shown_at_ = Clock::now();
+};
+
+RefinementJob::RefinementJob(std::function<void()> wake)
+    : wake_(std::move(wake)), worker_([this](const std::stop_token& stop) { work(stop); }) {}
+
+RefinementJob::~RefinementJob() {
+  cancel();
+  worker_.request_stop();
+  worker_.join();
+}
+
+void RefinementJob::submit(JobRequest request) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++ticket_;
+    waiting_ = std::move(request);
+  }
+  changed_.notify_all();
+}
+
+void RefinementJob::cancel() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++ticket_;
+    waiting_.reset();
+  }
+  changed_.notify_all();
+}
+
+JobStatus RefinementJob::status() const {
+  const std::lock_guard lock(mutex_);
+  JobStatus status = status_;
+  status.is_busy = status_.is_busy || waiting_.has_value();
+  if (status_.is_busy) {
+    status.running_for = Clock::now() - started_;
+  }
+  return status;
+}
+
+void RefinementJob::wait_until_idle() const {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !waiting_ && !status_.is_busy; });
+}
+
+std::shared_ptr<const JobResult> RefinementJob::take_result() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(result_, nullptr);
+}
+
+std::optional<Error> RefinementJob::take_error() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(error_, std::nullopt);
+}
+
+void RefinementJob::work(const std::stop_token& stop) {
+  while (true) {
+    JobRequest request;
+    std::uint64_t ticket = 0;
+    {
+      std::unique_lock lock(mutex_);
+      if (!changed_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
+        return;
+      }
+      request = std::move(*waiting_);
+      waiting_.reset();
+      ticket = ticket_;
+      started_ = Clock::now();
+      status_ = JobStatus{true, request.serial, 0.0, "Labels", {}};
+    }
+    try {
+      carry_out(request, stop, ticket);
+    } catch (const std::bad_alloc&) {
+      publish(ticket, [&] {
+        error_ = Error{ErrorKind::kFailed,
+                       "There is not enough memory for this refinement. Paint less deep, or stop "
+                       "after fewer levels.",
+                       {},
+                       0};
+      });
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      status_ = JobStatus{};
+    }
+    changed_.notify_all();
+    wake_();
+  }
+}
+
+template <class Publish>
+void RefinementJob::publish(std::uint64_t ticket, Publish&& publish_locked) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (ticket != ticket_) {
+      return;
+    }
+    publish_locked();
+  }
+  wake_();
+}
+
+void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& stop,
+                              std::uint64_t ticket) {
+  JobProgress progress(*this, stop, ticket);
+  const ControlMesh& control = *request.control;
+  const auto publish_error = [&](Error error) {
+    if (error.kind != ErrorKind::kCancelled) {
+      publish(ticket, [&] { error_ = std::move(error); });
+    }
+  };
+
+  auto labels = derive_labels(control, request.depths.values(), request.settings, progress);
+  if (!labels) {
+    publish_error(std::move(labels.error()));
+    return;
+  }
+  JobResult result;
+  result.serial = request.serial;
+  result.control = request.control;
+  result.labels = std::make_shared<const DerivedLabels>(std::move(*labels));
+  const VertexLabels& legal = result.labels->legal.labels;
+  result.prediction = predict_refinement(control, legal, request.levels);
+  result.is_over_budget = request.levels > 0 && result.prediction.faces > request.face_budget;
+  result.is_final = request.levels == 0 || result.is_over_budget;
+  publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
+  if (result.is_final) {
+    return;
+  }
+
+  auto refinement = derive_refinement(
+      control, legal, {request.settings, request.levels, request.face_budget}, progress);
+  if (!refinement) {
+    publish_error(std::move(refinement.error()));
+    return;
+  }
+  result.refinement = std::make_shared<const Refinement>(std::move(*refinement));
+  result.is_final = true;
+  publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
+}
+
+}  // namespace limn::app

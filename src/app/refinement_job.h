@@ -1,0 +1,102 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "limn/document/refinement.h"
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+#include "limn/painting/face_depths.h"
+
+namespace limn::app {
+
+/// Everything a refinement follows from. A copy, so that the document may change meanwhile.
+struct JobRequest {
+  std::uint64_t serial = 0;  ///< The caller's number for this state of the document.
+  std::shared_ptr<const ControlMesh> control;
+  FaceDepths depths;
+  SubdivisionSettings settings;
+  int levels = 0;  ///< 0: labels and their prediction only.
+  std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// What came of a request. Handed out twice where there is something to refine: first without a
+/// refinement, as soon as the labels are known, then whole.
+struct JobResult {
+  std::uint64_t serial = 0;
+  std::shared_ptr<const ControlMesh> control;
+  std::shared_ptr<const DerivedLabels> labels;
+  std::shared_ptr<const Refinement> refinement;  ///< Null where none was made, or not yet.
+  RefinementPrediction prediction;               ///< For the levels asked for.
+  bool is_over_budget = false;  ///< `prediction` was above the budget, so nothing was refined.
+  bool is_final = false;        ///< Nothing more will come of this request.
+};
+
+/// What the worker is at.
+struct JobStatus {
+  bool is_busy = false;
+  std::uint64_t serial = 0;  ///< Of the request being worked on.
+  double fraction = 0.0;
+  std::string stage;
+  std::chrono::steady_clock::duration running_for{};
+};
+
+/// Derives labels, legalisation, prediction, the refined mesh and the crack check from a painting,
+/// one request at a time, on a thread of its own.
+///
+/// All members may be called from one owner's thread without waiting for the worker. `wake` is
+/// called from the worker whenever there is something new to look at.
+class RefinementJob {
+ public:
+  explicit RefinementJob(std::function<void()> wake);
+  /// Cancels what runs and waits for the worker to notice.
+  ~RefinementJob();
+  RefinementJob(const RefinementJob&) = delete;
+  RefinementJob& operator=(const RefinementJob&) = delete;
+
+  /// Works on this next; what runs or waits for an older request is given up.
+  void submit(JobRequest request);
+  /// Gives up what runs and what waits.
+  void cancel();
+
+  [[nodiscard]] JobStatus status() const;
+  /// Blocks until nothing runs and nothing waits.
+  void wait_until_idle() const;
+
+  /// The newest result, handed out once.
+  [[nodiscard]] std::shared_ptr<const JobResult> take_result();
+  /// Why the last request came to nothing, other than by cancelling.
+  [[nodiscard]] std::optional<Error> take_error();
+
+ private:
+  class JobProgress;
+
+  void work(const std::stop_token& stop);
+  void carry_out(const JobRequest& request, const std::stop_token& stop, std::uint64_t ticket);
+  /// Publishes a result unless a newer request has come in.
+  template <class Publish>
+  void publish(std::uint64_t ticket, Publish&& publish_locked);
+
+  std::function<void()> wake_;
+
+  mutable std::mutex mutex_;
+  mutable std::condition_variable_any changed_;
+  std::optional<JobRequest> waiting_;
+  std::uint64_t ticket_ = 0;  ///< Counts submits and cancels: work for an older one is stale.
+  JobStatus status_;
+  std::chrono::steady_clock::time_point started_;
+  std::shared_ptr<const JobResult> result_;
+  std::optional<Error> error_;
+
+  std::jthread worker_;  ///< Last, so that it stops before anything it uses is gone.
+};
+
+}  // namespace limn::app

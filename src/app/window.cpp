@@ -1,0 +1,301 @@
+// GLFW's callbacks do nothing but push plain events with the position and time they were reported
+// with; the cursor is never asked for. GLFW itself is started and stopped with the one window.
+#include "app/window.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <glad/gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include "app/glfw_keys.h"
+#include "render/context/load_gl.h"
+#include "render/environment_error.h"
+
+namespace limn::app {
+namespace {
+
+constexpr int kSmallestWidth = 640;
+constexpr int kSmallestHeight = 400;
+
+constexpr const char* kHeadlessAdvice =
+    "Without a display, `limn refine` and `limn render` do the work from the command line.";
+
+/// What GLFW last complained about: its own calls only say that they failed.
+std::string& last_glfw_error() {
+  static std::string text = "no reason given";
+  return text;
+}
+
+void remember_error(int, const char* description) {
+  last_glfw_error() = description;
+}
+
+void set_context_hints() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+#ifndef NDEBUG
+  glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+#endif
+  // The scene is drawn into a framebuffer of its own; the window's needs colour alone.
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHint(GLFW_ALPHA_BITS, 0);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "Limn");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "limn");
+}
+
+}  // namespace
+
+/// Created as they are first asked for.
+struct Window::Cursors {
+  std::array<GLFWcursor*, 6> shapes{};
+
+  ~Cursors() {
+    for (GLFWcursor* cursor : shapes) {
+      if (cursor != nullptr) {
+        glfwDestroyCursor(cursor);
+      }
+    }
+  }
+
+  GLFWcursor* get(CursorShape shape) {
+    constexpr std::array kStandard = {GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR,   GLFW_HAND_CURSOR,
+                                      GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR, GLFW_ARROW_CURSOR};
+    const auto index = static_cast<std::size_t>(shape);
+    if (shapes[index] == nullptr) {
+      shapes[index] = glfwCreateStandardCursor(kStandard[index]);
+    }
+    return shapes[index];
+  }
+};
+
+struct Window::Callbacks {
+  static Window& of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+  }
+
+  static void cursor_moved(GLFWwindow* window, double x, double y) {
+    of(window).push(ui::MouseMoved{{x, y}});
+  }
+
+  static void cursor_entered(GLFWwindow* window, int entered) {
+    if (entered == GLFW_FALSE) {
+      of(window).push(ui::MouseLeft{});
+    }
+  }
+
+  static void button_changed(GLFWwindow* window, int button, int action, int modifiers) {
+    if (const auto which = button_from_glfw(button)) {
+      of(window).push(ui::ButtonChanged{*which, action == GLFW_PRESS}, modifiers);
+    }
+  }
+
+  static void wheel_turned(GLFWwindow* window, double x, double y) {
+    of(window).push(ui::WheelTurned{x, y});
+  }
+
+  static void key_changed(GLFWwindow* window, int key, int, int action, int modifiers) {
+    Window& self = of(window);
+    self.modifiers_ = with_key(modifiers_from_glfw(modifiers), key, action != GLFW_RELEASE);
+    self.is_damaged_ = true;
+    if (const auto which = key_from_glfw(key)) {
+      self.push(ui::KeyChanged{*which, action != GLFW_RELEASE, action == GLFW_REPEAT});
+    }
+  }
+
+  static void text_typed(GLFWwindow* window, unsigned character) {
+    of(window).push(ui::TextTyped{static_cast<char32_t>(character)});
+  }
+
+  static void focus_changed(GLFWwindow* window, int focused) {
+    if (focused == GLFW_FALSE) {
+      of(window).modifiers_ = {};
+      of(window).push(ui::FocusLost{});
+    }
+  }
+
+  static void files_dropped(GLFWwindow* window, int count, const char** paths) {
+    Window& self = of(window);
+    self.dropped_.insert(self.dropped_.end(), paths, paths + count);
+    self.is_damaged_ = true;
+  }
+
+  static void close_requested(GLFWwindow* window) {
+    glfwSetWindowShouldClose(window, GLFW_FALSE);
+    of(window).close_requested_ = true;
+    of(window).is_damaged_ = true;
+  }
+
+  static void damaged(GLFWwindow* window) { of(window).is_damaged_ = true; }
+  static void resized(GLFWwindow* window, int, int) { of(window).is_damaged_ = true; }
+  static void rescaled(GLFWwindow* window, float, float) { of(window).is_damaged_ = true; }
+
+  static void install(GLFWwindow* window) {
+    glfwSetCursorPosCallback(window, cursor_moved);
+    glfwSetCursorEnterCallback(window, cursor_entered);
+    glfwSetMouseButtonCallback(window, button_changed);
+    glfwSetScrollCallback(window, wheel_turned);
+    glfwSetKeyCallback(window, key_changed);
+    glfwSetCharCallback(window, text_typed);
+    glfwSetWindowFocusCallback(window, focus_changed);
+    glfwSetDropCallback(window, files_dropped);
+    glfwSetWindowCloseCallback(window, close_requested);
+    glfwSetWindowRefreshCallback(window, damaged);
+    glfwSetFramebufferSizeCallback(window, resized);
+    glfwSetWindowSizeCallback(window, resized);
+    glfwSetWindowContentScaleCallback(window, rescaled);
+  }
+};
+
+Window::Window(const WindowSettings& settings) : title_(settings.title) {
+  glfwSetErrorCallback(remember_error);
+  if (glfwInit() == GLFW_FALSE) {
+    throw render::EnvironmentError(
+        fmt::format("No window can be opened: there is no display to open it on ({}). {}",
+                    last_glfw_error(), kHeadlessAdvice));
+  }
+  set_context_hints();
+  glfwWindowHint(GLFW_MAXIMIZED, settings.is_maximised ? GLFW_TRUE : GLFW_FALSE);
+  window_ = glfwCreateWindow(std::max(settings.size.width, kSmallestWidth),
+                             std::max(settings.size.height, kSmallestHeight), title_.c_str(),
+                             nullptr, nullptr);
+  if (window_ == nullptr) {
+    const std::string reason = last_glfw_error();
+    glfwTerminate();
+    throw render::EnvironmentError(fmt::format(
+        "No window with OpenGL 4.5 can be opened ({}). Update the graphics driver, or use Mesa's "
+        "software renderer by setting LIBGL_ALWAYS_SOFTWARE=1. {}",
+        reason, kHeadlessAdvice));
+  }
+  glfwSetWindowSizeLimits(window_, kSmallestWidth, kSmallestHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwMakeContextCurrent(window_);
+  try {
+    render::load_gl(glfwGetProcAddress);
+  } catch (...) {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+    throw;
+  }
+  glfwSwapInterval(1);
+  glfwSetWindowUserPointer(window_, this);
+  Callbacks::install(window_);
+  cursors_ = std::make_unique<Cursors>();
+}
+
+Window::~Window() {
+  cursors_.reset();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+render::WindowSize Window::size() const {
+  render::WindowSize size;
+  glfwGetWindowSize(window_, &size.width, &size.height);
+  return size;
+}
+
+render::FramebufferSize Window::framebuffer_size() const {
+  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != GLFW_FALSE) {
+    return {};
+  }
+  render::FramebufferSize size;
+  glfwGetFramebufferSize(window_, &size.width, &size.height);
+  return size;
+}
+
+double Window::content_scale() const {
+  float x = 1.0F;
+  float y = 1.0F;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::clamp(static_cast<double>(y), 0.5, 8.0);
+}
+
+bool Window::is_maximised() const {
+  return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) != GLFW_FALSE;
+}
+
+void Window::poll_events() {
+  glfwPollEvents();
+}
+
+void Window::wait_events(double seconds) {
+  if (seconds < 0.0) {
+    glfwWaitEvents();
+  } else {
+    glfwWaitEventsTimeout(seconds);
+  }
+}
+
+void Window::post_wake() {
+  glfwPostEmptyEvent();
+}
+
+std::vector<std::filesystem::path> Window::take_dropped_files() {
+  return std::exchange(dropped_, {});
+}
+
+bool Window::take_close_request() noexcept {
+  return std::exchange(close_requested_, false);
+}
+
+bool Window::take_damage() noexcept {
+  return std::exchange(is_damaged_, false);
+}
+
+double Window::now() {
+  return glfwGetTime();
+}
+
+void Window::set_title(const std::string& title) {
+  if (title != title_) {
+    title_ = title;
+    glfwSetWindowTitle(window_, title_.c_str());
+  }
+}
+
+void Window::set_cursor(CursorShape shape) {
+  if (shape == cursor_shape_) {
+    return;
+  }
+  cursor_shape_ = shape;
+  glfwSetInputMode(window_, GLFW_CURSOR,
+                   shape == CursorShape::kHidden ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+  if (shape != CursorShape::kHidden) {
+    glfwSetCursor(window_, cursors_->get(shape));
+  }
+}
+
+std::string Window::clipboard() const {
+  const char* text = glfwGetClipboardString(window_);
+  return text == nullptr ? std::string() : text;
+}
+
+void Window::set_clipboard(const std::string& text) {
+  glfwSetClipboardString(window_, text.c_str());
+}
+
+void Window::swap_buffers() {
+  glfwSwapBuffers(window_);
+}
+
+void Window::push(decltype(ui::InputEvent::what) what, int glfw_modifiers) {
+  modifiers_ = modifiers_from_glfw(glfw_modifiers);
+  push(what);
+}
+
+void Window::push(decltype(ui::InputEvent::what) what) {
+  input_.push({glfwGetTime(), modifiers_, what});
+  is_damaged_ = true;
+}
+
+}  // namespace limn::app
