@@ -10,7 +10,7 @@ namespace {
 
 template <class T>
 std::size_t bytes_of(const std::vector<T>& array) {
-  return array.size() * sizeof(T);
+  return array.capacity() * sizeof(T);
 }
 
 }  // namespace

@@ -14,12 +14,14 @@ namespace limn {
 struct LegalisationStep {
   std::uint32_t vertex = kNone;
   std::uint32_t valence = 0;  ///< Illegal neighbours along mesh edges when it was chosen.
-  std::uint32_t cost = 0;     ///< Faces around it that had exactly three zero labels.
+  std::uint32_t cost = 0;     ///< Quads around it that had exactly three zero labels.
 };
 
 struct Legalisation {
   VertexLabels labels;                  ///< No face is illegal under these.
-  std::vector<LegalisationStep> steps;  ///< In order; what a step-by-step display replays.
+  std::vector<LegalisationStep> steps;  ///< In order; what a step-by-step display replays. Vertices
+                                        ///< raised along with a choice, as corners of a non-quad
+                                        ///< face, have no step of their own.
 };
 
 /// Removes every illegal vertex in the paper's greedy order, in O(n log n) (algorithm: Yong & Cheng
@@ -28,10 +30,11 @@ struct Legalisation {
 /// While there are illegal vertices: the candidates are the illegal vertices adjacent to an illegal
 /// vertex of valence 1, or all illegal ones where no valence is 1; the candidate with the highest
 /// valence, then the lowest cost, then the lowest index becomes 1.
-/// `labels` come from `apply_non_quad_rule` with the same `rule`. Under kWherePainted a relabelled
-/// vertex also raises the zeros of the non-quad faces around it. Under kUniformFirstStep on a mesh
-/// with non-quads every face splits in the first step, so there is nothing to do.
-/// Errors: kCancelled.
+/// Neighbours are the other ends of the mesh edges at a vertex; faces that are no quads count
+/// neither as illegal nor towards the cost. `labels` come from `apply_non_quad_rule` with the same
+/// `rule`. Under kWherePainted a relabelled vertex also raises the zeros of the non-quad faces
+/// around it. Under kUniformFirstStep on a mesh with non-quads every face splits in the first step,
+/// so there is nothing to do. Errors: kCancelled.
 [[nodiscard]] Result<Legalisation> legalise_greedy(const ControlMesh& mesh, VertexLabels labels,
                                                    NonQuadRule rule, Progress& progress);
 
