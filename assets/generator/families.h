@@ -20,4 +20,13 @@ namespace limn::generator {
 /// A torus of quads with a window cut into it: one boundary loop.
 [[nodiscard]] PolygonSoup torus_with_window();
 
+// creature.cpp
+/// A small dragon, all quads, symmetric in x: what the program opens with.
+[[nodiscard]] PolygonSoup creature();
+
+// teapot.cpp
+/// The Utah teapot, all quads: body, lid, handle and spout are open pieces that pass through one
+/// another, as its author made them.
+[[nodiscard]] PolygonSoup utah_teapot();
+
 }  // namespace limn::generator

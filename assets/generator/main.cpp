@@ -20,6 +20,9 @@ struct Recipe {
 };
 
 constexpr Recipe kRecipes[] = {
+    {"creature.obj", "A small dragon of quads, closed and symmetric in x.", creature},
+    {"teapot.obj", "The Utah teapot as quads, sampled from Martin Newell's Bezier patches.",
+     utah_teapot},
     {"cube.obj", "A cube of 6 squares.", cube},
     {"cube_triangulated.obj", "A cube of 12 triangles.", cube_triangulated},
     {"icosahedron.obj", "An icosahedron of 20 triangles.", icosahedron},

@@ -22,6 +22,9 @@ struct Entry {
 };
 
 constexpr std::array kEntries = {
+    Entry{"creature",
+          "A small dragon of quads: eyes, ears and toes to paint, smooth flanks to leave."},
+    Entry{"teapot", "The Utah teapot as quads, in four open pieces."},
     Entry{"cube", "A cube of 6 squares: where every subdivision scheme is tried first."},
     Entry{"cube_triangulated", "A cube of 12 triangles, for schemes on triangles."},
     Entry{"icosahedron", "An icosahedron of 20 triangles, for comparison with a sphere."},
