@@ -12,6 +12,7 @@
 //       |  |  |  |  | 5
 //       +--+--+--+--+ 4
 //         0  1  2  3
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

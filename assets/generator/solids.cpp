@@ -34,6 +34,7 @@ constexpr std::array<std::array<Index, 3>, 20> kIcosahedronFaces = {{
 
 std::vector<glm::dvec3> cube_corners() {
   std::vector<glm::dvec3> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i) {
     corners.emplace_back((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0,
                          (i & 4) != 0 ? 1.0 : -1.0);

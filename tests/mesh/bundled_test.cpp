@@ -29,6 +29,8 @@
 #include <glm/vector_relational.hpp>
 
 #include "limn/mesh/statistics.h"
+#include "limn/subdivision/crack_check.h"
+#include "limn/subdivision/label_subdivision.h"
 
 namespace limn {
 namespace {
@@ -125,21 +127,21 @@ double flattest_corner(const ControlMesh& mesh, std::size_t f) {
 class GeneratedMeshes : public ::testing::Test {
  protected:
   GeneratedMeshes()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("limn-generated-meshes-" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder_);
+      : folder(std::filesystem::temp_directory_path() /
+               ("limn-generated-meshes-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(folder);
   }
-  ~GeneratedMeshes() override { std::filesystem::remove_all(folder_); }
+  ~GeneratedMeshes() override { std::filesystem::remove_all(folder); }
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder;
 };
 
 TEST_F(GeneratedMeshes, AreTheOnesInTheProgram) {
   const std::string command =
-      std::string("'") + LIMN_GENERATE_MESHES + "' '" + folder_.string() + "'";
+      std::string("'") + LIMN_GENERATE_MESHES + "' '" + folder.string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     files += entry.is_regular_file() ? 1 : 0;
   }
   EXPECT_EQ(files, bundled_meshes().size());
@@ -147,7 +149,7 @@ TEST_F(GeneratedMeshes, AreTheOnesInTheProgram) {
     const std::string name = std::string(mesh.name) + ".obj";
     EXPECT_FALSE(mesh.description.empty()) << name;
     EXPECT_THAT(mesh.obj_text, ::testing::StartsWith("# ")) << name;
-    EXPECT_EQ(read_file(folder_ / name), mesh.obj_text) << name;
+    EXPECT_EQ(read_file(folder / name), mesh.obj_text) << name;
     EXPECT_EQ(read_file(std::filesystem::path(LIMN_ASSETS) / "meshes" / name), mesh.obj_text)
         << name;
   }
@@ -246,21 +248,34 @@ TEST_P(EveryBundledMesh, HasConvexFacesAndNoTinyEdges) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Bundled, EveryBundledMesh,
-    ::testing::Values(Promise{"creature", {{4, 1128}}, 0, 0, 1, 2, 6},
-                      // Body, lid, handle and spout; two poles with ten quads around each.
-                      Promise{"teapot", {{4, 674}}, 6, 76, 4, 2, 10},  //
-                      Promise{"cube", {{4, 6}}, 0, 0, 1, 2, 3},
-                      Promise{"cube_triangulated", {{3, 12}}, 0, 0, 1, 2, 6},
-                      Promise{"icosahedron", {{3, 20}}, 0, 0, 1, 2, 5},
-                      Promise{"mixed", {{3, 20}, {4, 30}, {5, 12}}, 0, 0, 1, 2, 4},
-                      Promise{"grid", {{4, 144}}, 1, 48, 1, 1, 4},
-                      Promise{"torus_open", {{4, 188}}, 1, 14, 1, -1, 4}),
-    [](const auto& instance) { return instance.param.name; });
+const std::vector<Promise>& promises() {
+  static const std::vector<Promise> all = {
+      {"creature", {{4, 1128}}, 0, 0, 1, 2, 6},
+      // Body, lid, handle and spout; two poles with ten quads around each.
+      {"teapot", {{4, 674}}, 6, 76, 4, 2, 10},
+      {"cube", {{4, 6}}, 0, 0, 1, 2, 3},
+      {"cube_triangulated", {{3, 12}}, 0, 0, 1, 2, 6},
+      {"icosahedron", {{3, 20}}, 0, 0, 1, 2, 5},
+      {"mixed", {{3, 20}, {4, 30}, {5, 12}}, 0, 0, 1, 2, 4},
+      {"grid", {{4, 144}}, 1, 48, 1, 1, 4},
+      {"torus_open", {{4, 188}}, 1, 14, 1, -1, 4},
+  };
+  return all;
+}
 
-TEST(BundledMeshes, AllHaveAPromise) {
-  EXPECT_EQ(bundled_meshes().size(), 8u);
+INSTANTIATE_TEST_SUITE_P(Bundled, EveryBundledMesh, ::testing::ValuesIn(promises()),
+                         [](const auto& instance) { return instance.param.name; });
+
+TEST(BundledMeshes, AllHaveAPromiseInTheOrderOfTheList) {
+  std::vector<std::string> promised;
+  for (const Promise& promise : promises()) {
+    promised.push_back(promise.name);
+  }
+  std::vector<std::string> bundled;
+  for (const BundledMesh& mesh : bundled_meshes()) {
+    bundled.emplace_back(mesh.name);
+  }
+  EXPECT_EQ(bundled, promised);
 }
 
 TEST(Icosahedron, LiesOnTheUnitSphereWithEqualEdges) {
@@ -335,6 +350,40 @@ TEST(Creature, IsItsOwnMirrorImage) {
     (middle.x < 0.0 ? left : right) += glm::length(area_vector(*mesh, f));
   }
   EXPECT_NEAR(left, right, 1e-9);
+}
+
+TEST(Creature, RefinesItsPaintedHeadWithoutCracks) {
+  const auto mesh = mesh_of("creature");
+  ASSERT_NE(mesh, nullptr);
+  std::vector<std::uint8_t> depths(mesh->face_count(), 0);
+  std::size_t painted = 0;
+  for (std::size_t f = 0; f < mesh->face_count(); ++f) {
+    const bool is_head = std::ranges::all_of(
+        mesh->face(f), [&](std::uint32_t v) { return mesh->positions()[v].z > 0.35; });
+    depths[f] = is_head ? 2 : 0;
+    painted += is_head ? 1 : 0;
+  }
+  EXPECT_GT(painted, mesh->face_count() / 4);
+  EXPECT_LT(painted, mesh->face_count() / 2);
+  IgnoreProgress progress;
+  const auto legal = legal_labels(*mesh, depths, {}, progress);
+  ASSERT_TRUE(legal);
+  const auto refined = refine(*mesh, legal->labels, {}, {}, progress);
+  ASSERT_TRUE(refined);
+  EXPECT_TRUE(check_cracks(*mesh, *refined).is_watertight());
+  EXPECT_GE(refined->face_count(), 16 * painted + (mesh->face_count() - painted));
+  EXPECT_LT(refined->face_count(), 16 * mesh->face_count());
+  // What no step reached is where it was; the head has drawn in by more than a rounding.
+  double farthest = 0.0;
+  for (std::size_t v = 0; v < mesh->vertex_count(); ++v) {
+    const double moved = glm::distance(mesh->positions()[v], dvec3(refined->positions[v]));
+    if (refined->vertex_levels[v] == 0) {
+      EXPECT_LT(moved, 1e-6) << "vertex " << v;
+    }
+    farthest = std::max(farthest, moved);
+  }
+  EXPECT_GT(farthest, 0.01);
+  EXPECT_LT(farthest, 0.2);
 }
 
 /// Does the segment cross the triangle, both open?
