@@ -34,10 +34,11 @@ struct JobResult {
   std::uint64_t serial = 0;
   std::shared_ptr<const ControlMesh> control;
   std::shared_ptr<const DerivedLabels> labels;
-  std::shared_ptr<const Refinement> refinement;  ///< Null where none was made, or not yet.
-  RefinementPrediction prediction;               ///< For the levels asked for.
-  bool is_over_budget = false;  ///< `prediction` was above the budget, so nothing was refined.
-  bool is_final = false;        ///< Nothing more will come of this request.
+  std::shared_ptr<const Refinement> refinement;    ///< Null where none was made, or not yet.
+  RefinementPrediction prediction;                 ///< For the levels asked for.
+  std::size_t illegal_left = 0;  ///< Illegal faces under the legal labels: 0, or it is a bug.
+  bool is_over_budget = false;   ///< `prediction` was above the budget, so nothing was refined.
+  bool is_final = false;         ///< Nothing more will come of this request.
 };
 
 /// What the worker is at.

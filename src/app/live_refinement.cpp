@@ -1,0 +1,137 @@
+// A document's revisions tell whether it changed; a serial number per submission tells whether a
+// result belongs to the newest one.
+#include "app/live_refinement.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace limn::app {
+namespace {
+
+/// Anything shorter needs no progress bar.
+constexpr auto kShownAfter = std::chrono::milliseconds(200);
+
+bool same(const Revisions& a, const Revisions& b) {
+  return a.control == b.control && a.depths == b.depths && a.stage == b.stage;
+}
+
+}  // namespace
+
+void LiveRefinement::follow(const Document& document, const Wish& wish) {
+  const int levels =
+      document.stage.levels == 0 && wish.needs_refined ? kAllLevels : document.stage.levels;
+  if (control_ == document.control && submitted_levels_ == levels &&
+      same(submitted_, document.revisions)) {
+    return;
+  }
+  if (wish.is_stroking && job_.status().is_busy) {
+    return;
+  }
+  if (control_ != document.control) {
+    newest_.reset();
+    set_refined(nullptr);
+    ++labels_revision_;
+    raised_budget_ = 0;
+    is_silenced_ = false;
+  }
+  control_ = document.control;
+  submitted_ = document.revisions;
+  submitted_levels_ = levels;
+  job_.submit({++serial_, document.control, document.depths, document.settings, levels,
+               std::max(budget_, raised_budget_)});
+}
+
+bool LiveRefinement::update() {
+  const auto result = job_.take_result();
+  if (!result || result->control != control_) {
+    return false;
+  }
+  if (!newest_ || newest_->labels != result->labels) {
+    ++labels_revision_;
+  }
+  newest_ = result;
+  if (!result->is_over_budget) {
+    is_silenced_ = false;
+  }
+  if (result->refinement) {
+    set_refined(result);
+  } else if (result->is_final && !result->is_over_budget) {
+    set_refined(nullptr);
+  }
+  return true;
+}
+
+void LiveRefinement::set_refined(std::shared_ptr<const JobResult> result) {
+  if (refined_ != result) {
+    refined_ = std::move(result);
+    ++refined_revision_;
+  }
+}
+
+void LiveRefinement::cancel() {
+  job_.cancel();
+}
+
+void LiveRefinement::restart() {
+  submitted_levels_ = -1;
+  is_silenced_ = false;
+}
+
+bool LiveRefinement::is_up_to_date() const noexcept {
+  return newest_ && newest_->serial == serial_ && newest_->is_final && !newest_->is_over_budget &&
+         submitted_levels_ >= 0;
+}
+
+const DerivedLabels* LiveRefinement::labels() const noexcept {
+  return newest_ ? newest_->labels.get() : nullptr;
+}
+
+std::optional<ui::OverBudgetQuestion> LiveRefinement::question() const {
+  if (!newest_ || newest_->serial != serial_ || !newest_->is_over_budget || is_silenced_) {
+    return std::nullopt;
+  }
+  return ui::OverBudgetQuestion{newest_->prediction.faces, newest_->prediction.bytes,
+                                std::max(budget_, raised_budget_)};
+}
+
+void LiveRefinement::accept() {
+  if (newest_) {
+    raised_budget_ = 2 * newest_->prediction.faces;
+    submitted_levels_ = -1;
+  }
+}
+
+void LiveRefinement::decline() {
+  is_silenced_ = true;
+}
+
+ui::RefinementStatus LiveRefinement::status() const {
+  ui::RefinementStatus status;
+  const JobStatus job = job_.status();
+  if (job.is_busy && job.running_for >= kShownAfter) {
+    status.running = ui::RunningRefinement{job.fraction, job.stage};
+  }
+  if (newest_) {
+    const DerivedLabels& labels = *newest_->labels;
+    status.prediction = &labels.prediction;
+    status.legality =
+        ui::LegalityStatus{labels.illegal_faces.size(), labels.illegal_vertices.size(),
+                           labels.legal.steps.size(), newest_->illegal_left};
+  }
+  if (refined_) {
+    const Refinement& refinement = *refined_->refinement;
+    ui::RefinementResult result;
+    result.faces = refinement.mesh->face_count();
+    result.vertices = refinement.mesh->vertex_count();
+    result.bytes = refinement.mesh->bytes();
+    result.uniform_faces = refinement.prediction.uniform_faces;
+    result.levels = refinement.prediction.levels;
+    result.legalise_seconds = refined_->labels->seconds;
+    result.refine_seconds = refinement.refine_seconds;
+    result.cracks = &refinement.cracks;
+    status.result = result;
+  }
+  return status;
+}
+
+}  // namespace limn::app

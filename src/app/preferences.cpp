@@ -1,0 +1,156 @@
+#include "app/preferences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/user_folders.h"
+#include "limn/atomic_file.h"
+
+namespace limn::app {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Reads members of one JSON object into variables that keep their value where a member is missing.
+/// Throws Json::exception where a member has the wrong type.
+class Reader {
+ public:
+  explicit Reader(const Json& object) : object_(object) {
+    if (!object.is_object()) {
+      throw Json::type_error::create(302, "an object is expected", &object);
+    }
+  }
+
+  template <class T>
+  void read(const char* name, T& value) const {
+    if (const auto found = object_.find(name); found != object_.end()) {
+      value = found->get<T>();
+    }
+  }
+  void read(const char* name, double& value, double low, double high) const {
+    read(name, value);
+    value = std::isfinite(value) ? std::clamp(value, low, high) : low;
+  }
+  /// An object that is missing reads as an empty one.
+  [[nodiscard]] Reader child(const char* name) const {
+    static const Json none = Json::object();
+    const auto found = object_.find(name);
+    return Reader(found == object_.end() ? none : *found);
+  }
+
+ private:
+  const Json& object_;
+};
+
+Preferences from_json(const Json& json) {
+  Preferences preferences;
+  const Reader root(json);
+  std::string theme = "dark";
+  root.read("theme", theme);
+  preferences.display.theme = theme == "light" ? ui::Theme::kLight : ui::Theme::kDark;
+  std::string keymap = "original";
+  root.read("keymap", keymap);
+  preferences.keymap = keymap == "classroom" ? ui::KeymapId::kClassroom : ui::KeymapId::kOriginal;
+
+  const Reader display = root.child("display");
+  display.read("wireframe", preferences.display.wireframe);
+  display.read("smooth", preferences.display.smooth);
+  display.read("light", preferences.display.light);
+
+  root.read("brush_radius", preferences.brush_radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
+  root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
+  root.read("face_budget", preferences.face_budget);
+  preferences.face_budget = std::max<std::uint64_t>(preferences.face_budget, 1000);
+
+  const Reader panel = root.child("panel");
+  panel.read("width", preferences.layout.panel_width, 200.0, 1000.0);
+  panel.read("paint_open", preferences.layout.paint_open);
+  panel.read("subdivide_open", preferences.layout.subdivide_open);
+  panel.read("display_open", preferences.layout.display_open);
+  panel.read("numbers_open", preferences.layout.numbers_open);
+
+  const Reader window = root.child("window");
+  window.read("width", preferences.window.width);
+  window.read("height", preferences.window.height);
+  window.read("maximised", preferences.is_maximised);
+  preferences.window.width = std::clamp(preferences.window.width, 640, 16384);
+  preferences.window.height = std::clamp(preferences.window.height, 400, 16384);
+
+  root.read("recent_files", preferences.recent_files);
+  preferences.recent_files.resize(std::min(preferences.recent_files.size(), kMostRecentFiles));
+  return preferences;
+}
+
+Json to_json(const Preferences& preferences) {
+  const ui::DisplaySettings& display = preferences.display;
+  const ui::PanelLayout& layout = preferences.layout;
+  return {
+      {"theme", display.theme == ui::Theme::kLight ? "light" : "dark"},
+      {"keymap", preferences.keymap == ui::KeymapId::kClassroom ? "classroom" : "original"},
+      {"display",
+       {{"wireframe", display.wireframe}, {"smooth", display.smooth}, {"light", display.light}}},
+      {"brush_radius", preferences.brush_radius},
+      {"dihedral_threshold", preferences.dihedral_threshold},
+      {"face_budget", preferences.face_budget},
+      {"panel",
+       {{"width", layout.panel_width},
+        {"paint_open", layout.paint_open},
+        {"subdivide_open", layout.subdivide_open},
+        {"display_open", layout.display_open},
+        {"numbers_open", layout.numbers_open}}},
+      {"window",
+       {{"width", preferences.window.width},
+        {"height", preferences.window.height},
+        {"maximised", preferences.is_maximised}}},
+      {"recent_files", preferences.recent_files},
+  };
+}
+
+}  // namespace
+
+std::filesystem::path preferences_path() {
+  const std::filesystem::path folder = config_folder();
+  return folder.empty() ? folder : folder / "preferences.json";
+}
+
+Result<Preferences> load_preferences(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (path.empty() || !std::filesystem::exists(path, ignored)) {
+    return Preferences{};
+  }
+  try {
+    std::ifstream file(path);
+    return from_json(Json::parse(file));
+  } catch (const Json::exception& error) {
+    return fail(
+        ErrorKind::kBadInput,
+        fmt::format("The preferences cannot be read ({}); the defaults are used.", error.what()),
+        path.string());
+  }
+}
+
+Result<void> save_preferences(const std::filesystem::path& path, const Preferences& preferences) {
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  if (error) {
+    return fail(ErrorKind::kFailed,
+                fmt::format("The folder for preferences cannot be made: {}.", error.message()),
+                path.parent_path().string());
+  }
+  // Paths are bytes, not necessarily UTF-8; those that are not lose their odd characters here.
+  const std::string text = to_json(preferences).dump(2, ' ', false, Json::error_handler_t::replace);
+  return write_file_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
+}
+
+void remember_recent(std::vector<std::string>& recent, const std::string& file) {
+  std::erase(recent, file);
+  recent.insert(recent.begin(), file);
+  recent.resize(std::min(recent.size(), kMostRecentFiles));
+}
+
+}  // namespace limn::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/live_refinement.h"
+#include "limn/error.h"
+#include "render/coordinates.h"
+#include "ui/gui.h"
+#include "ui/model.h"
+
+namespace limn::app {
+
+/// What a person has chosen once and finds again at the next start. Nothing of a document.
+struct Preferences {
+  ui::DisplaySettings display;  ///< Theme, wireframe, smooth, light; the rest starts as default.
+  ui::KeymapId keymap = ui::KeymapId::kOriginal;
+  double brush_radius = ui::BrushSettings{}.radius;
+  double dihedral_threshold = 30.0;
+  std::uint64_t face_budget = LiveRefinement::kDefaultBudget;
+  ui::PanelLayout layout;
+  render::WindowSize window{1280, 800};  ///< Design units: before the monitor's scale.
+  bool is_maximised = false;
+  std::vector<std::string> recent_files;  ///< Absolute paths, newest first.
+
+  [[nodiscard]] bool operator==(const Preferences&) const = default;
+};
+
+inline constexpr std::size_t kMostRecentFiles = 10;
+
+/// Where they are kept: `preferences.json` in `config_folder()`. Empty where there is no folder.
+[[nodiscard]] std::filesystem::path preferences_path();
+
+/// Reads preferences; numbers out of range are brought into it, what is missing stays as default. A
+/// file that is not there gives the defaults.
+/// Errors: kBadInput where the file is not what `save_preferences` writes.
+[[nodiscard]] Result<Preferences> load_preferences(const std::filesystem::path& path);
+
+/// Writes them atomically, making the folder where needed. Errors: kFailed.
+[[nodiscard]] Result<void> save_preferences(const std::filesystem::path& path,
+                                            const Preferences& preferences);
+
+/// Puts `file` first and forgets the oldest beyond kMostRecentFiles.
+void remember_recent(std::vector<std::string>& recent, const std::string& file);
+
+}  // namespace limn::app

@@ -1,0 +1,255 @@
+// Dispatch, time and the model. The actions themselves are in session_files.cpp,
+// session_painting.cpp and session_view.cpp.
+#include "app/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limn/contract.h"
+#include "limn/document/commands.h"
+#include "limn/mesh/bundled.h"
+#include "render/named_views.h"
+
+namespace limn::app {
+
+using enum ui::ActionId;
+using Kind = ui::Toast::Kind;
+
+Session::Session(SessionHost host) : host_(std::move(host)), refinement_(host_.wake) {
+  LIMN_EXPECTS(host_.wake);
+  for (const BundledMesh& mesh : bundled_meshes()) {
+    bundled_.emplace_back(mesh.name);
+  }
+  open(std::string(kDefaultMesh));
+  LIMN_EXPECTS(document_.control);
+}
+
+Session::~Session() = default;
+
+void Session::perform(const ui::Action& action) {
+  const bool is_known = perform_answer(action) || perform_program(action) || perform_file(action) ||
+                        perform_edit(action) || perform_rule(action) || perform_brush(action) ||
+                        perform_subdivision(action) || perform_display(action) ||
+                        perform_camera(action);
+  LIMN_EXPECTS(is_known);
+  facts_.update(document_.control, dihedral_threshold_);
+}
+
+bool Session::update(double now) {
+  now_ = std::max(now_, now);
+  refinement_.follow(document_, {is_stroking(), export_path_.has_value()});
+  bool has_news = refinement_.update();
+  if (auto error = refinement_.take_error()) {
+    export_path_.reset();
+    show_error("The refinement failed", std::move(*error));
+    has_news = true;
+  }
+  if (const auto question = refinement_.question();
+      question && std::holds_alternative<std::monostate>(modal_)) {
+    modal_ = *question;
+    has_news = true;
+  }
+  if (export_path_ && refinement_.is_up_to_date() && refinement_.refined() != nullptr) {
+    finish_export();
+    has_news = true;
+  }
+  has_news |= toasts_.expire(now_);
+  has_news |= camera_.update(now_);
+  return has_news;
+}
+
+double Session::next_update() const noexcept {
+  return camera_.is_gliding() ? now_ : toasts_.next_end();
+}
+
+void Session::finish_refinement() {
+  do {
+    refinement_.follow(document_, {false, export_path_.has_value()});
+    refinement_.wait_until_idle();
+  } while (update(now_) && refinement_.is_busy());
+}
+
+void Session::show(Project project) {
+  stroke_.reset();
+  hover_.reset();
+  document_ = std::move(project.document);
+  history_.clear();
+  history_.mark_saved();
+  export_path_.reset();
+  facts_.update(document_.control, dihedral_threshold_);
+  is_framed_ = project.view.has_value();
+  camera_.set(project.view ? *project.view
+                           : render::default_view(document_.control->bounds(), aspect_));
+  if (document_.import_report.is_mended()) {
+    std::string text = document_.name + ":";
+    for (const std::string& sentence : document_.import_report.sentences()) {
+      text += " " + sentence;
+    }
+    toast(Kind::kNote, std::move(text));
+  }
+}
+
+void Session::toast(Kind kind, std::string text) {
+  toasts_.add(kind, std::move(text), now_);
+}
+
+void Session::show_error(std::string title, Error error) {
+  modal_ = ui::ErrorDialog{std::move(title), std::move(error)};
+}
+
+void Session::restore(const ui::DisplaySettings& display, ui::KeymapId keymap, double brush_radius,
+                      double dihedral_threshold) {
+  display_ = display;
+  keymap_ = keymap;
+  brush_.tool = keymap == ui::KeymapId::kClassroom ? ui::Tool::kOrbit : ui::Tool::kPaint;
+  brush_.radius = brush_radius;
+  dihedral_threshold_ = dihedral_threshold;
+  facts_.update(document_.control, dihedral_threshold_);
+}
+
+void Session::execute(std::unique_ptr<Command> command) {
+  end_stroke();
+  history_.execute(document_, std::move(command));
+}
+
+bool Session::perform_edit(const ui::Action& action) {
+  switch (action.id) {
+    case kUndo:
+      end_stroke();
+      if (history_.can_undo()) {
+        history_.undo(document_);
+      } else {
+        toast(Kind::kNote, "There is nothing to undo.");
+      }
+      return true;
+    case kRedo:
+      end_stroke();
+      if (history_.can_redo()) {
+        history_.redo(document_);
+      } else {
+        toast(Kind::kNote, "There is nothing to redo.");
+      }
+      return true;
+    case kRevert:
+      end_stroke();
+      if (document_.control == document_.opened && document_.depths.deepest() == 0 &&
+          document_.stage == Stage{}) {
+        toast(Kind::kNote, "This is the mesh as it was opened.");
+      } else {
+        execute(revert_command());
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Session::perform_program(const ui::Action& action) {
+  switch (action.id) {
+    case kHelp:
+      modal_ = ui::HelpSheet{};
+      return true;
+    case kKeymapOriginal:
+      keymap_ = ui::KeymapId::kOriginal;
+      brush_.tool = ui::Tool::kPaint;
+      return true;
+    case kKeymapClassroom:
+      keymap_ = ui::KeymapId::kClassroom;
+      brush_.tool = ui::Tool::kOrbit;
+      return true;
+    case kCancel:
+      cancel();
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Session::cancel() {
+  if (!std::holds_alternative<std::monostate>(modal_)) {
+    if (std::holds_alternative<ui::OverBudgetQuestion>(modal_)) {
+      refinement_.decline();
+      export_path_.reset();
+    }
+    held_back_.reset();
+    goes_on_after_save_ = false;
+    modal_ = std::monostate{};
+  } else if (is_stroking()) {
+    give_up_stroke();
+  } else if (refinement_.is_busy()) {
+    refinement_.cancel();
+    export_path_.reset();
+    toast(Kind::kNote, "Refinement stopped. The last finished one stays in view.");
+  }
+}
+
+bool Session::perform_answer(const ui::Action& action) {
+  switch (action.id) {
+    case kBrowse:
+      if (const auto* prompt = std::get_if<ui::PathPrompt>(&modal_)) {
+        last_folder_ = std::get<std::string>(action.value);
+        ask_for_path(prompt->purpose);
+      }
+      return true;
+    case kRefineAnyway:
+      if (std::holds_alternative<ui::OverBudgetQuestion>(modal_)) {
+        modal_ = std::monostate{};
+        refinement_.accept();
+      }
+      return true;
+    case kSaveFirst:
+      if (std::holds_alternative<ui::UnsavedQuestion>(modal_)) {
+        modal_ = std::monostate{};
+        goes_on_after_save_ = true;
+        perform(kSaveProject);
+      }
+      return true;
+    case kDiscardChanges:
+      if (std::holds_alternative<ui::UnsavedQuestion>(modal_)) {
+        modal_ = std::monostate{};
+        go_on();
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string Session::title() const {
+  const std::string& name =
+      document_.project_path.empty() ? document_.name : document_.project_path.filename().string();
+  return fmt::format("{}{} - Limn", name, history_.is_modified() ? " *" : "");
+}
+
+ui::Model Session::model() const {
+  std::optional<ui::HoverInfo> hover;
+  if (hover_) {
+    hover =
+        ui::HoverInfo{*hover_, document_.depths[*hover_], document_.control->face(*hover_).size()};
+  }
+  return {
+      .document = document_,
+      .statistics = facts_.statistics(),
+      .is_modified = history_.is_modified(),
+      .display = display_,
+      .brush = brush_,
+      .keymap = keymap_,
+      .view = camera_.view(),
+      .depth_counts = document_.depths.histogram(),
+      .dihedral_threshold = dihedral_threshold_,
+      .dihedral_faces = facts_.dihedral_faces(),
+      .refinement = refinement_.status(),
+      .history = {history_.undo_name(), history_.redo_name(), history_.bytes()},
+      .hover = hover,
+      .is_stroking = is_stroking(),
+      .frame_seconds = 0.0,
+      .bundled_meshes = bundled_,
+      .recent_files = recent_,
+      .toasts = toasts_.shown(),
+      .modal = modal_,
+  };
+}
+
+}  // namespace limn::app

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/camera_motion.h"
+#include "app/live_refinement.h"
+#include "app/mesh_facts.h"
+#include "app/toasts.h"
+#include "limn/document/document.h"
+#include "limn/document/history.h"
+#include "limn/document/project_file.h"
+#include "limn/painting/selection.h"
+#include "limn/painting/stroke.h"
+#include "ui/action.h"
+#include "ui/model.h"
+
+namespace limn::app {
+
+/// What a session cannot do by itself.
+struct SessionHost {
+  /// Ends the main loop's wait; called from any thread. Must be set.
+  std::function<void()> wake;
+  /// Answers "visible" for the camera in force. Empty without a screen: those actions then fail
+  /// with a toast.
+  VisibleFaces visible_faces;
+};
+
+/// One run of the program at work on one document at a time: everything but the window.
+///
+/// `perform` is the one place where an action becomes a command; menus, buttons, keys, tests and
+/// played-back input all come through it. Nothing here waits, draws or reads the mouse.
+class Session {
+ public:
+  explicit Session(SessionHost host);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Carries out an action. What comes of it, a dialog or toast included, shows in the model.
+  void perform(const ui::Action& action);
+  /// Lets time pass and takes in what other threads have done. `now` in seconds, never falling.
+  /// Returns true where there is something new to show.
+  bool update(double now);
+  /// When `update` next has something to do of its own accord; infinity where it waits for others.
+  [[nodiscard]] double next_update() const noexcept;
+
+  /// Shows a document that was read before the session began. Asks nothing.
+  void show(Project project);
+  void toast(ui::Toast::Kind kind, std::string text);
+
+  /// The state of everything for one frame of the panels; spans and pointers live until the next
+  /// call of a non-const member.
+  [[nodiscard]] ui::Model model() const;
+  /// "creature.limn *": for the window's title.
+  [[nodiscard]] std::string title() const;
+
+  [[nodiscard]] const Document& document() const noexcept { return document_; }
+  [[nodiscard]] const History& history() const noexcept { return history_; }
+  [[nodiscard]] const LiveRefinement& refinement() const noexcept { return refinement_; }
+  [[nodiscard]] const ui::DisplaySettings& display() const noexcept { return display_; }
+  [[nodiscard]] const ui::BrushSettings& brush() const noexcept { return brush_; }
+  [[nodiscard]] const ui::Modal& modal() const noexcept { return modal_; }
+  [[nodiscard]] std::span<const ui::Toast> toasts() const noexcept { return toasts_.shown(); }
+  [[nodiscard]] ui::KeymapId keymap() const noexcept { return keymap_; }
+  [[nodiscard]] double dihedral_threshold() const noexcept { return dihedral_threshold_; }
+  [[nodiscard]] const std::vector<std::string>& recent_files() const noexcept { return recent_; }
+  /// Whether the viewport shows the refined mesh: it is asked for and there is one.
+  [[nodiscard]] bool shows_refined() const noexcept;
+  /// Blocks until the refined mesh is up to date. For tests and for work without a window.
+  void finish_refinement();
+
+  /// Chosen in an earlier run.
+  void restore(const ui::DisplaySettings& display, ui::KeymapId keymap, double brush_radius,
+               double dihedral_threshold);
+  void set_recent_files(std::vector<std::string> files) { recent_ = std::move(files); }
+  void set_face_budget(std::uint64_t faces) noexcept { refinement_.set_face_budget(faces); }
+
+  [[nodiscard]] const ViewState& view() const noexcept { return camera_.view(); }
+  /// Moves the camera at once: the mouse does.
+  void set_view(const ViewState& view) { camera_.set(view); }
+  /// Width over height of the viewport.
+  void set_aspect(double aspect);
+  /// The control face under the cursor.
+  void set_hover(std::optional<std::uint32_t> face) noexcept { hover_ = face; }
+  [[nodiscard]] std::optional<std::uint32_t> hover() const noexcept { return hover_; }
+
+  /// A brush stroke: painted live, one command when it ends.
+  void begin_stroke(DepthChange change);
+  /// Returns true where a depth changed.
+  bool touch(std::span<const std::uint32_t> faces);
+  void end_stroke();
+  void give_up_stroke();
+  [[nodiscard]] bool is_stroking() const noexcept { return stroke_.has_value(); }
+
+  /// Where the next frame shall be written as a picture, once.
+  [[nodiscard]] std::optional<std::filesystem::path> take_screenshot_request();
+  void report_screenshot(const std::filesystem::path& path, const Result<void>& written);
+  [[nodiscard]] bool wants_to_quit() const noexcept { return wants_to_quit_; }
+
+ private:
+  // Each carries out the actions of its kind and returns false for all others.
+  bool perform_edit(const ui::Action& action);
+  bool perform_program(const ui::Action& action);
+  bool perform_answer(const ui::Action& action);
+  bool perform_file(const ui::Action& action);  // session_files.cpp, as what follows it
+  bool perform_rule(const ui::Action& action);  // session_painting.cpp
+  bool perform_brush(const ui::Action& action);
+  bool perform_subdivision(const ui::Action& action);
+  bool perform_display(const ui::Action& action);  // session_view.cpp
+  bool perform_camera(const ui::Action& action);
+
+  void execute(std::unique_ptr<Command> command);
+  void cancel();
+  void show_error(std::string title, Error error);
+
+  /// True where the action may go on; otherwise it is kept and the person is asked.
+  [[nodiscard]] bool may_lose_changes(const ui::Action& action, std::string next);
+  void open(const std::string& name);
+  void save(const std::filesystem::path& path);
+  void go_on();
+  void start_export(const std::filesystem::path& path);
+  void finish_export();
+  void ask_for_path(ui::PathPrompt::Purpose purpose);
+
+  void paint(const Selection& selection, DepthChange change, const std::string& what);
+  void set_stage(Stage stage, std::string name);
+  void change_settings(const SubdivisionSettings& settings);
+  void apply_refined();
+
+  void frame_faces(std::span<const std::uint32_t> faces);
+  void zoom(double factor);
+
+  SessionHost host_;
+  double now_ = 0.0;
+  Document document_;
+  History history_;
+  LiveRefinement refinement_;
+  MeshFacts facts_;
+
+  ui::DisplaySettings display_;
+  ui::BrushSettings brush_;
+  ui::KeymapId keymap_ = ui::KeymapId::kOriginal;
+  double dihedral_threshold_ = 30.0;
+
+  CameraMotion camera_;
+  double aspect_ = 1.6;
+  bool is_framed_ = true;  ///< False until a new document's default view has met the real aspect.
+  std::optional<std::uint32_t> hover_;
+  std::optional<Stroke> stroke_;
+
+  ui::Modal modal_;
+  std::optional<ui::Action> held_back_;  ///< Waits for the answer about unsaved changes.
+  bool goes_on_after_save_ = false;      ///< `held_back_` follows once saving has worked.
+  std::uint64_t prompt_serial_ = 0;
+  std::filesystem::path last_folder_;
+  std::optional<std::filesystem::path> export_path_;  ///< Waits for the refinement.
+  std::optional<std::filesystem::path> screenshot_path_;
+  bool wants_to_quit_ = false;
+  Toasts toasts_;
+  std::vector<std::string> recent_;
+  std::vector<std::string> bundled_;
+};
+
+}  // namespace limn::app

@@ -1,0 +1,204 @@
+// Files: what is opened replaces the document only once it has been read without error, and what
+// would lose changes waits for an answer.
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/path_prompt.h"
+#include "app/preferences.h"
+#include "app/session.h"
+#include "app/user_folders.h"
+#include "limn/document/open.h"
+#include "limn/mesh/export.h"
+
+namespace limn::app {
+
+namespace fs = std::filesystem;
+using enum ui::ActionId;
+using Kind = ui::Toast::Kind;
+using Purpose = ui::PathPrompt::Purpose;
+
+namespace {
+
+/// The path an action carries; null where it asks for one.
+const std::string* path_of(const ui::Action& action) {
+  return std::get_if<std::string>(&action.value);
+}
+
+std::string stem_of(const Document& document) {
+  const fs::path name =
+      document.project_path.empty() ? fs::path(document.name) : document.project_path.filename();
+  const std::string stem = name.stem().string();
+  return stem.empty() ? "mesh" : stem;
+}
+
+std::string file_name(const std::string& path) {
+  return fs::path(path).filename().string();
+}
+
+}  // namespace
+
+bool Session::perform_file(const ui::Action& action) {
+  const std::string* path = path_of(action);
+  switch (action.id) {
+    case kOpen:
+      if (path == nullptr) {
+        ask_for_path(Purpose::kOpen);
+      } else if (may_lose_changes(action, "open " + file_name(*path))) {
+        open(*path);
+      }
+      return true;
+    case kOpenBundled:
+      if (may_lose_changes(action, "open " + std::get<std::string>(action.value))) {
+        open(std::get<std::string>(action.value));
+      }
+      return true;
+    case kSaveProject:
+      if (document_.project_path.empty()) {
+        ask_for_path(Purpose::kSaveProject);
+      } else {
+        save(document_.project_path);
+      }
+      return true;
+    case kSaveProjectAs:
+      if (path == nullptr) {
+        ask_for_path(Purpose::kSaveProject);
+      } else {
+        save(with_ending(Purpose::kSaveProject, *path));
+      }
+      return true;
+    case kExportRefined:
+      if (path == nullptr) {
+        ask_for_path(Purpose::kExportRefined);
+      } else {
+        start_export(with_ending(Purpose::kExportRefined, *path));
+      }
+      return true;
+    case kScreenshot:
+      screenshot_path_ =
+          numbered_file(pictures_folder(), fmt::format("limn-{}", stem_of(document_)), ".png");
+      return true;
+    case kQuit:
+      if (may_lose_changes(action, "quit")) {
+        wants_to_quit_ = true;
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Session::may_lose_changes(const ui::Action& action, std::string next) {
+  end_stroke();
+  if (!history_.is_modified()) {
+    return true;
+  }
+  held_back_ = action;
+  modal_ = ui::UnsavedQuestion{document_.name, std::move(next)};
+  return false;
+}
+
+void Session::go_on() {
+  goes_on_after_save_ = false;
+  if (auto action = std::exchange(held_back_, std::nullopt)) {
+    // Nothing is left to lose: either it was saved, or the person said to lose it.
+    history_.mark_saved();
+    perform(*action);
+  }
+}
+
+void Session::open(const std::string& name) {
+  modal_ = std::monostate{};
+  auto project = open_document(name);
+  if (!project) {
+    show_error("Cannot open " + file_name(name), std::move(project.error()));
+    return;
+  }
+  show(std::move(*project));
+  const fs::path& path =
+      document_.project_path.empty() ? document_.mesh_path : document_.project_path;
+  if (!path.empty()) {
+    std::error_code ignored;
+    remember_recent(recent_, fs::absolute(path, ignored).lexically_normal().string());
+    last_folder_ = fs::absolute(path, ignored).parent_path();
+  }
+}
+
+void Session::save(const fs::path& path) {
+  modal_ = std::monostate{};
+  end_stroke();
+  if (auto saved = save_project(path, document_, camera_.goal()); !saved) {
+    held_back_.reset();
+    goes_on_after_save_ = false;
+    show_error("Cannot save " + path.filename().string(), std::move(saved.error()));
+    return;
+  }
+  document_.project_path = path;
+  history_.mark_saved();
+  std::error_code ignored;
+  remember_recent(recent_, fs::absolute(path, ignored).lexically_normal().string());
+  last_folder_ = fs::absolute(path, ignored).parent_path();
+  toast(Kind::kDone, "Saved " + path.filename().string());
+  if (goes_on_after_save_) {
+    go_on();
+  }
+}
+
+void Session::start_export(const fs::path& path) {
+  modal_ = std::monostate{};
+  end_stroke();
+  std::error_code ignored;
+  last_folder_ = fs::absolute(path, ignored).parent_path();
+  export_path_ = path;
+  refinement_.follow(document_, {false, true});
+  if (!refinement_.is_up_to_date()) {
+    toast(Kind::kNote,
+          fmt::format("{} will be written as soon as it is refined.", path.filename().string()));
+  }
+}
+
+void Session::finish_export() {
+  const fs::path path = *std::exchange(export_path_, std::nullopt);
+  const RefinedMesh& mesh = *refinement_.refined()->refinement->mesh;
+  if (auto written = export_obj(path, mesh, document_.depths.values()); !written) {
+    show_error("Cannot write " + path.filename().string(), std::move(written.error()));
+    return;
+  }
+  toast(Kind::kDone, fmt::format("Wrote {}: {} faces.", path.string(), mesh.face_count()));
+}
+
+void Session::ask_for_path(Purpose purpose) {
+  if (last_folder_.empty()) {
+    std::error_code ignored;
+    last_folder_ = fs::current_path(ignored);
+  }
+  ui::PathPrompt prompt = list_folder(purpose, last_folder_);
+  if (const auto* before = std::get_if<ui::PathPrompt>(&modal_);
+      before != nullptr && before->purpose == purpose) {
+    prompt.serial = before->serial;
+  } else {
+    prompt.serial = ++prompt_serial_;
+  }
+  if (purpose == Purpose::kSaveProject) {
+    prompt.suggested_name = stem_of(document_) + ".limn";
+  } else if (purpose == Purpose::kExportRefined) {
+    prompt.suggested_name = stem_of(document_) + "-refined.obj";
+  }
+  modal_ = std::move(prompt);
+}
+
+std::optional<fs::path> Session::take_screenshot_request() {
+  return std::exchange(screenshot_path_, std::nullopt);
+}
+
+void Session::report_screenshot(const fs::path& path, const Result<void>& written) {
+  if (written) {
+    toast(Kind::kDone, "Screenshot: " + path.string());
+  } else {
+    toast(Kind::kProblem, to_string(written.error()));
+  }
+}
+
+}  // namespace limn::app

@@ -1,0 +1,91 @@
+#include "app/preferences.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace limn::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PreferencesTest : public testing::Test {
+ protected:
+  PreferencesTest() { fs::create_directories(folder_); }
+  ~PreferencesTest() override { fs::remove_all(folder_); }
+
+  void write(std::string_view text) const { std::ofstream(path_) << text; }
+
+  fs::path folder_ =
+      fs::temp_directory_path() / ("limn-preferences-" + std::to_string(::getpid()) + "-" +
+                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::path path_ = folder_ / "preferences.json";
+};
+
+TEST_F(PreferencesTest, ComeBackAsTheyWereSaved) {
+  Preferences saved;
+  saved.display.theme = ui::Theme::kLight;
+  saved.display.wireframe = !saved.display.wireframe;
+  saved.display.smooth = !saved.display.smooth;
+  saved.keymap = ui::KeymapId::kClassroom;
+  saved.brush_radius = 37.5;
+  saved.dihedral_threshold = 12.25;
+  saved.face_budget = 123456;
+  saved.layout.panel_width = 401.0;
+  saved.layout.display_open = !saved.layout.display_open;
+  saved.window = {1711, 913};
+  saved.is_maximised = true;
+  saved.recent_files = {"/tmp/a b.obj", "/tmp/ä.limn"};
+  const fs::path nested = folder_ / "new" / "preferences.json";
+  ASSERT_TRUE(save_preferences(nested, saved).has_value());
+  const auto loaded = load_preferences(nested);
+  ASSERT_TRUE(loaded.has_value()) << to_string(loaded.error());
+  EXPECT_EQ(*loaded, saved);
+}
+
+TEST_F(PreferencesTest, MissingFileGivesDefaults) {
+  const auto loaded = load_preferences(folder_ / "none.json");
+  ASSERT_TRUE(loaded.has_value());
+  EXPECT_EQ(*loaded, Preferences{});
+}
+
+TEST_F(PreferencesTest, BrokenFilesAreErrorsThatNameTheFile) {
+  for (const std::string_view text :
+       {"", "{", "[]", "3", "{\"theme\": 7}", "{\"panel\": []}", "{\"recent_files\": [1, 2]}",
+        "{\"window\": {\"width\": \"wide\"}}", "\xff\xfe"}) {
+    write(text);
+    const auto loaded = load_preferences(path_);
+    ASSERT_FALSE(loaded.has_value()) << text;
+    EXPECT_EQ(loaded.error().kind, ErrorKind::kBadInput);
+    EXPECT_EQ(loaded.error().path, path_.string());
+  }
+}
+
+TEST_F(PreferencesTest, NumbersOutOfRangeAreBroughtIntoIt) {
+  write(R"({"brush_radius": 1e9, "dihedral_threshold": -5, "panel": {"width": 1},
+            "window": {"width": 3, "height": 1000000}, "unknown": true})");
+  const auto loaded = load_preferences(path_);
+  ASSERT_TRUE(loaded.has_value()) << to_string(loaded.error());
+  EXPECT_EQ(loaded->brush_radius, ui::kMaxBrushRadius);
+  EXPECT_EQ(loaded->dihedral_threshold, 0.0);
+  EXPECT_GE(loaded->layout.panel_width, 200.0);
+  EXPECT_EQ(loaded->window, (render::WindowSize{640, 16384}));
+}
+
+TEST_F(PreferencesTest, RecentFilesKeepTheNewestFirstOnce) {
+  std::vector<std::string> recent;
+  for (int i = 0; i < 15; ++i) {
+    remember_recent(recent, std::to_string(i));
+  }
+  remember_recent(recent, "9");
+  ASSERT_EQ(recent.size(), kMostRecentFiles);
+  EXPECT_EQ(recent[0], "9");
+  EXPECT_EQ(recent[1], "14");
+  EXPECT_EQ(std::count(recent.begin(), recent.end(), "9"), 1);
+}
+
+}  // namespace
+}  // namespace limn::app

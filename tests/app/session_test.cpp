@@ -1,0 +1,315 @@
+// Drives a session by actions, without a window, and reads what became of the document.
+#include "app/session.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/mesh/import.h"
+#include "limn/mesh/refined_mesh.h"
+
+namespace limn::app {
+namespace {
+
+namespace fs = std::filesystem;
+using enum ui::ActionId;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class SessionTest : public testing::Test {
+ protected:
+  SessionTest()
+      : folder_(fs::temp_directory_path() /
+                ("limn-session-" + std::to_string(::getpid()) + "-" +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::create_directories(folder_);
+    session_.perform({kOpenBundled, std::string("cube")});
+  }
+  ~SessionTest() override { fs::remove_all(folder_); }
+
+  void stroke(std::vector<std::uint32_t> faces, DepthChange change = DepthChange::add(1)) {
+    session_.begin_stroke(change);
+    session_.touch(faces);
+    session_.end_stroke();
+  }
+
+  [[nodiscard]] std::vector<int> depths() const {
+    const auto values = session_.document().depths.values();
+    return {values.begin(), values.end()};
+  }
+
+  template <class T>
+  [[nodiscard]] const T* modal() const {
+    return std::get_if<T>(&session_.modal());
+  }
+
+  [[nodiscard]] std::string last_toast() const {
+    return session_.toasts().empty() ? "" : session_.toasts().back().text;
+  }
+
+  fs::path folder_;
+  std::vector<std::uint32_t> visible_{0, 2};
+  Session session_{{[] {}, [this]() -> Result<std::vector<std::uint32_t>> { return visible_; }}};
+};
+
+TEST_F(SessionTest, StrokePaintsLiveAndUndoesAsOne) {
+  session_.begin_stroke(DepthChange::add(1));
+  const auto before = session_.document().revisions.depths;
+  EXPECT_TRUE(session_.touch(std::vector<std::uint32_t>{1, 3}));
+  EXPECT_TRUE(session_.touch(std::vector<std::uint32_t>{3, 4}));
+  EXPECT_FALSE(session_.touch(std::vector<std::uint32_t>{1, 4}));
+  EXPECT_EQ(depths(), (std::vector<int>{0, 1, 0, 1, 1, 0}));
+  EXPECT_EQ(session_.document().revisions.depths, before + 2);
+  session_.end_stroke();
+  session_.perform(kUndo);
+  EXPECT_EQ(depths(), std::vector<int>(6, 0));
+  session_.perform(kRedo);
+  EXPECT_EQ(depths(), (std::vector<int>{0, 1, 0, 1, 1, 0}));
+}
+
+TEST_F(SessionTest, EscapeGivesUpTheStroke) {
+  session_.begin_stroke(DepthChange::add(1));
+  session_.touch(std::vector<std::uint32_t>{1, 3});
+  session_.perform(kCancel);
+  EXPECT_FALSE(session_.is_stroking());
+  EXPECT_EQ(depths(), std::vector<int>(6, 0));
+  EXPECT_FALSE(session_.history().can_undo());
+}
+
+TEST_F(SessionTest, RulesPaintAndUndo) {
+  session_.perform(kRaiseAll);
+  session_.perform(kRaiseVisible);
+  EXPECT_EQ(depths(), (std::vector<int>{2, 1, 2, 1, 1, 1}));
+  session_.perform(kLowerAll);
+  EXPECT_EQ(depths(), (std::vector<int>{1, 0, 1, 0, 0, 0}));
+  session_.perform({kSetDihedralThreshold, 95.0});
+  session_.perform(kRaiseDihedral);
+  EXPECT_EQ(depths(), (std::vector<int>{1, 0, 1, 0, 0, 0})) << "a cube's edges are bent by 90";
+  session_.perform({kSetDihedralThreshold, 80.0});
+  session_.perform(kRaiseDihedral);
+  EXPECT_EQ(depths(), (std::vector<int>{2, 1, 2, 1, 1, 1}));
+  session_.perform(kZeroAll);
+  EXPECT_EQ(depths(), std::vector<int>(6, 0));
+  for (int i = 0; i < 3; ++i) {
+    session_.perform(kUndo);
+  }
+  EXPECT_EQ(depths(), (std::vector<int>{2, 1, 2, 1, 1, 1}));
+}
+
+TEST_F(SessionTest, VisibleWithoutAScreenChangesNothing) {
+  Session blind({[] {}, {}});
+  blind.perform(kRaiseVisible);
+  EXPECT_EQ(blind.document().depths.deepest(), 0);
+  ASSERT_FALSE(blind.toasts().empty());
+  EXPECT_EQ(blind.toasts().back().kind, ui::Toast::Kind::kProblem);
+}
+
+TEST_F(SessionTest, SubdividingRefinesAndKeepsThePainting) {
+  stroke({0}, DepthChange::set(3));
+  session_.perform(kSubdivide);
+  session_.finish_refinement();
+  ASSERT_NE(session_.refinement().refined(), nullptr);
+  const Refinement& first = *session_.refinement().refined()->refinement;
+  // The table of the algorithm's fixture: one face of a cube at depth 3.
+  EXPECT_EQ(first.mesh->face_count(), 228u);
+  EXPECT_EQ(first.mesh->vertex_count(), 230u);
+  EXPECT_TRUE(first.cracks.is_watertight());
+  EXPECT_TRUE(session_.shows_refined());
+  EXPECT_EQ(session_.document().control->face_count(), 6u);
+
+  stroke({0}, DepthChange::add(-1));
+  session_.finish_refinement();
+  EXPECT_EQ(session_.refinement().refined()->refinement->mesh->face_count(), 76u)
+      << "painting again follows at once";
+  session_.perform(kUndo);
+  session_.finish_refinement();
+  EXPECT_EQ(session_.refinement().refined()->refinement->mesh->face_count(), 228u);
+  session_.perform(kUndo);
+  EXPECT_EQ(session_.document().stage.levels, 0) << "subdividing is undone after painting";
+  EXPECT_FALSE(session_.shows_refined());
+}
+
+TEST_F(SessionTest, OneLevelAtATime) {
+  stroke({0}, DepthChange::set(3));
+  session_.perform(kSubdivideOneLevel);
+  session_.finish_refinement();
+  const auto faces_after = [this] {
+    return session_.refinement().refined()->refinement->mesh->face_count();
+  };
+  const std::size_t one = faces_after();
+  session_.perform(kSubdivideOneLevel);
+  session_.perform(kSubdivideOneLevel);
+  session_.finish_refinement();
+  EXPECT_LT(one, faces_after());
+  EXPECT_EQ(faces_after(), 228u);
+  session_.perform(kBackToControl);
+  EXPECT_FALSE(session_.shows_refined());
+}
+
+TEST_F(SessionTest, ApplyMakesTheRefinedMeshTheControlMeshAndUndoes) {
+  stroke({0}, DepthChange::set(1));
+  session_.perform(kSubdivide);
+  session_.finish_refinement();
+  session_.perform(kApply);
+  EXPECT_EQ(session_.document().control->face_count(), 24u);
+  EXPECT_EQ(session_.document().depths.size(), 24u);
+  EXPECT_EQ(session_.document().depths.deepest(), 0);
+  session_.perform(kUndo);
+  EXPECT_EQ(session_.document().control->face_count(), 6u);
+  EXPECT_EQ(depths(), (std::vector<int>{1, 0, 0, 0, 0, 0}));
+  session_.perform(kRedo);
+  session_.perform(kRevert);
+  EXPECT_EQ(session_.document().control->face_count(), 6u);
+}
+
+TEST_F(SessionTest, BadFileLeavesTheDocumentAndSaysWhy) {
+  const fs::path bad = folder_ / "bad.obj";
+  std::ofstream(bad) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n";
+  session_.perform({kOpen, bad.string()});
+  EXPECT_EQ(session_.document().name, "cube");
+  ASSERT_NE(modal<ui::ErrorDialog>(), nullptr);
+  EXPECT_THAT(modal<ui::ErrorDialog>()->title, HasSubstr("bad.obj"));
+  EXPECT_EQ(modal<ui::ErrorDialog>()->error.kind, ErrorKind::kBadInput);
+  EXPECT_EQ(modal<ui::ErrorDialog>()->error.line, 4u);
+  session_.perform(kCancel);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(session_.modal()));
+  EXPECT_THAT(session_.recent_files(), IsEmpty());
+}
+
+TEST_F(SessionTest, SavedProjectOpensAgainAsItWas) {
+  stroke({1, 2}, DepthChange::set(4));
+  session_.perform(kSubdivide);
+  EXPECT_THAT(session_.title(), HasSubstr("*"));
+  const fs::path path = folder_ / "painted";
+  session_.perform({kSaveProjectAs, path.string()});
+  EXPECT_TRUE(fs::exists(folder_ / "painted.limn")) << "the ending is added";
+  EXPECT_FALSE(session_.history().is_modified());
+  EXPECT_EQ(session_.title(), "painted.limn - Limn");
+
+  session_.perform({kOpenBundled, std::string("icosahedron")});
+  EXPECT_EQ(session_.document().control->face_count(), 20u);
+  session_.perform({kOpen, (folder_ / "painted.limn").string()});
+  EXPECT_EQ(depths(), (std::vector<int>{0, 4, 4, 0, 0, 0}));
+  EXPECT_EQ(session_.document().stage, (Stage{true, kAllLevels}));
+  ASSERT_EQ(session_.recent_files().size(), 1u);
+}
+
+TEST_F(SessionTest, UnsavedChangesAreAskedAbout) {
+  stroke({1});
+  session_.perform(kQuit);
+  EXPECT_FALSE(session_.wants_to_quit());
+  ASSERT_NE(modal<ui::UnsavedQuestion>(), nullptr);
+  session_.perform(kCancel);
+  EXPECT_FALSE(session_.wants_to_quit());
+
+  session_.perform({kOpenBundled, std::string("icosahedron")});
+  ASSERT_NE(modal<ui::UnsavedQuestion>(), nullptr);
+  session_.perform(kDiscardChanges);
+  EXPECT_EQ(session_.document().control->face_count(), 20u);
+  session_.perform(kQuit);
+  EXPECT_TRUE(session_.wants_to_quit()) << "nothing was changed since";
+}
+
+TEST_F(SessionTest, SaveFirstSavesAndGoesOn) {
+  stroke({1});
+  session_.perform(kQuit);
+  session_.perform(kSaveFirst);
+  EXPECT_FALSE(session_.wants_to_quit()) << "it has no name yet";
+  ASSERT_NE(modal<ui::PathPrompt>(), nullptr);
+  session_.perform({kSaveProjectAs, (folder_ / "x.limn").string()});
+  EXPECT_TRUE(fs::exists(folder_ / "x.limn"));
+  EXPECT_TRUE(session_.wants_to_quit());
+}
+
+TEST_F(SessionTest, FailedSaveDoesNotGoOn) {
+  stroke({1});
+  session_.perform(kQuit);
+  session_.perform(kSaveFirst);
+  session_.perform({kSaveProjectAs, (folder_ / "nowhere" / "x.limn").string()});
+  EXPECT_FALSE(session_.wants_to_quit());
+  EXPECT_NE(modal<ui::ErrorDialog>(), nullptr);
+  EXPECT_TRUE(session_.history().is_modified());
+}
+
+TEST_F(SessionTest, ExportWaitsForTheRefinement) {
+  stroke({0}, DepthChange::set(2));
+  const fs::path path = folder_ / "out.obj";
+  session_.perform({kExportRefined, path.string()});
+  session_.finish_refinement();
+  const auto mesh = import_mesh(path);
+  ASSERT_TRUE(mesh.has_value()) << to_string(mesh.error());
+  EXPECT_EQ(mesh->mesh->face_count(), 76u);
+  EXPECT_EQ(session_.document().stage.levels, 0) << "exporting does not subdivide the view";
+}
+
+TEST_F(SessionTest, OverTheBudgetItAsksAndObeys) {
+  session_.set_face_budget(100);
+  stroke({0}, DepthChange::set(3));
+  session_.perform(kSubdivide);
+  session_.finish_refinement();
+  EXPECT_EQ(session_.refinement().refined(), nullptr);
+  const auto* question = modal<ui::OverBudgetQuestion>();
+  ASSERT_NE(question, nullptr);
+  EXPECT_EQ(question->faces, 228u);
+  EXPECT_EQ(question->budget, 100u);
+
+  session_.perform(kCancel);
+  session_.finish_refinement();
+  EXPECT_EQ(modal<ui::OverBudgetQuestion>(), nullptr) << "asked once";
+  stroke({1});
+  session_.finish_refinement();
+  EXPECT_EQ(modal<ui::OverBudgetQuestion>(), nullptr) << "nor at every stroke";
+
+  session_.perform(kSubdivide);
+  session_.finish_refinement();
+  ASSERT_NE(modal<ui::OverBudgetQuestion>(), nullptr) << "but when asked for again";
+  session_.perform(kRefineAnyway);
+  session_.finish_refinement();
+  ASSERT_NE(session_.refinement().refined(), nullptr);
+  EXPECT_GT(session_.refinement().refined()->refinement->mesh->face_count(), 100u);
+}
+
+TEST_F(SessionTest, NamingADepthMakesTheBrushSetIt) {
+  session_.perform({kSetTargetDepth, 4});
+  EXPECT_TRUE(session_.brush().sets_depth);
+  EXPECT_EQ(session_.brush().target_depth, 4);
+  stroke({5}, DepthChange::set(7));
+  session_.set_hover(5u);
+  session_.perform(kPickDepth);
+  EXPECT_EQ(session_.brush().target_depth, 7);
+  session_.perform(kBrushAdds);
+  EXPECT_FALSE(session_.brush().sets_depth);
+}
+
+TEST_F(SessionTest, FramingGlidesAndEndsExactly) {
+  session_.update(1.0);
+  const ViewState start = session_.view();
+  session_.perform(kViewFront);
+  EXPECT_EQ(session_.view(), start);
+  EXPECT_TRUE(session_.update(1.07));
+  EXPECT_NE(session_.view(), start);
+  EXPECT_TRUE(session_.update(1.2));
+  EXPECT_EQ(session_.view().yaw, 0.0);
+  EXPECT_EQ(session_.view().pitch, 0.0);
+  EXPECT_FALSE(session_.update(1.3));
+}
+
+TEST_F(SessionTest, ToastsPass) {
+  session_.update(1.0);
+  session_.perform(kUndo);
+  EXPECT_EQ(last_toast(), "There is nothing to undo.");
+  session_.perform(kUndo);
+  EXPECT_EQ(session_.toasts().size(), 1u) << "the same is not said twice";
+  session_.update(session_.next_update() + 0.01);
+  EXPECT_TRUE(session_.toasts().empty());
+}
+
+}  // namespace
+}  // namespace limn::app
