@@ -25,13 +25,13 @@ class Names {
     return has_vertex_lines() ? fmt::format("the vertex of line {}", soup_.vertex_lines[v])
                               : fmt::format("vertex {}", v);
   }
-  [[nodiscard]] std::string face(std::size_t f) const {
-    return has_face_lines() ? fmt::format("the face of line {}", soup_.face_lines[f])
-                            : fmt::format("face {}", f);
-  }
-  [[nodiscard]] tl::unexpected<Error> blame_vertex(std::size_t v, std::string message) const {
-    return fail(ErrorKind::kBadInput, std::move(message), soup_.source,
-                has_vertex_lines() ? soup_.vertex_lines[v] : 0);
+  /// `message` goes on from the name of the vertex.
+  [[nodiscard]] tl::unexpected<Error> blame_vertex(std::size_t v,
+                                                   const std::string& message) const {
+    return fail(ErrorKind::kBadInput,
+                has_vertex_lines() ? fmt::format("This vertex {}", message)
+                                   : fmt::format("Vertex {} {}", v, message),
+                soup_.source, has_vertex_lines() ? soup_.vertex_lines[v] : 0);
   }
   /// `message` goes on from the name of the face.
   [[nodiscard]] tl::unexpected<Error> blame_face(std::size_t f, const std::string& message) const {
@@ -56,13 +56,21 @@ void expect_well_formed(const PolygonSoup& soup) {
   LIMN_EXPECTS(soup.face_lines.empty() || soup.face_lines.size() == soup.face_count());
 }
 
+/// Refined positions are single precision and get squared on the graphics card, so a coordinate has
+/// to stay well below the square root of what a float can hold.
+constexpr double largest_coordinate = 1e18;
+
 Result<void> check_positions(const PolygonSoup& soup, const Names& names) {
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
     const glm::dvec3& p = soup.positions[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       return names.blame_vertex(
-          v, fmt::format("Vertex {} has a coordinate that is not a finite number: {} {} {}.", v + 1,
-                         p.x, p.y, p.z));
+          v, fmt::format("has a coordinate that is not a finite number: {} {} {}.", p.x, p.y, p.z));
+    }
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > largest_coordinate) {
+      return names.blame_vertex(v, fmt::format("lies too far out, at {} {} {}; coordinates up to "
+                                               "{} are read. Scale the mesh down.",
+                                               p.x, p.y, p.z, largest_coordinate));
     }
   }
   return {};
@@ -166,9 +174,9 @@ std::vector<std::string> ImportReport::sentences() const {
                                  counted(isolated_vertices, "vertex was", "vertices were")));
   }
   if (repeated_corners > 0) {
-    result.push_back(
-        fmt::format("{} repeated the one before and merged with it.",
-                    counted(repeated_corners, "corner of a face was", "corners of faces were")));
+    result.push_back(fmt::format(
+        "{} the corner before; merged.",
+        counted(repeated_corners, "corner of a face repeated", "corners of faces repeated")));
   }
   for (const std::string& data : unused_data) {
     result.push_back(fmt::format("Not used: {}.", data));

@@ -13,16 +13,25 @@
 namespace limn::detail {
 namespace {
 
-constexpr std::string_view Blanks = " \t";
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
 
 /// Takes the first word off `text`; empty at the end and before a comment.
 std::string_view take_word(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(Blanks), text.size()));
-  if (text.starts_with('#')) {
-    text = {};
+  std::size_t begin = 0;
+  while (begin < text.size() && is_blank(text[begin])) {
+    ++begin;
   }
-  const std::size_t end = std::min(text.find_first_of(Blanks), text.size());
-  const std::string_view word = text.substr(0, end);
+  std::size_t end = begin;
+  while (end < text.size() && !is_blank(text[end])) {
+    ++end;
+  }
+  std::string_view word = text.substr(begin, end - begin);
+  if (word.starts_with('#')) {
+    word = {};
+    end = text.size();
+  }
   text.remove_prefix(end);
   return word;
 }
@@ -77,7 +86,10 @@ ObjStatements::int_type ObjStatements::underflow() {
 }
 
 std::string_view ObjStatements::read_line() {
-  const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+  std::size_t end = 0;
+  while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') {
+    ++end;
+  }
   const std::string_view line = rest_.substr(0, end);
   const bool is_pair = rest_.substr(end).starts_with("\r\n");
   rest_.remove_prefix(std::min(end + (is_pair ? 2 : 1), rest_.size()));
@@ -97,12 +109,18 @@ bool ObjStatements::read_statement() {
   while (goes_on && !rest_.empty()) {
     breaks_.push_back({statement_.size(), next_line_});
     std::string_view line = read_line();
-    const std::size_t first = line.find_first_not_of(Blanks);
-    const std::size_t last = line.find_last_not_of(Blanks);
-    const bool is_comment = first != std::string_view::npos && line[first] == '#';
-    goes_on =
-        last != std::string_view::npos && line[last] == '\\' && !(is_comment && statement_.empty());
-    statement_.append(goes_on ? line.substr(0, last) : line);
+    while (!line.empty() && is_blank(line.back())) {
+      line.remove_suffix(1);
+    }
+    goes_on = line.ends_with('\\');
+    if (goes_on && statement_.empty()) {
+      std::string_view words = line;
+      goes_on = !take_word(words).empty();
+    }
+    if (goes_on) {
+      line.remove_suffix(1);
+    }
+    statement_.append(line);
     if (goes_on) {
       statement_.push_back(' ');
     }

@@ -10,7 +10,7 @@ namespace {
 
 template <class T>
 std::size_t bytes_of(const std::vector<T>& array) {
-  return array.capacity() * sizeof(T);
+  return array.size() * sizeof(T);
 }
 
 }  // namespace

@@ -36,10 +36,13 @@ struct ImportedMesh {
 /// Mended with a report, since nothing is lost by it: clashing orientation of an orientable
 /// component (the smaller side is flipped), bow-tie vertices (split, one vertex per fan), isolated
 /// vertices (dropped), a corner repeated in a row (merged).
-/// Refused, kBadInput, naming the source line of the first culprit: no faces, non-finite
-/// coordinates, an index out of range, a face with fewer than three distinct vertices or with a
-/// vertex twice, an edge with three or more faces, a surface that cannot be oriented (Moebius).
-/// Faces keep their order and their first corner; vertices keep their order, copies come last.
+/// Refused, kBadInput, naming the source line of the first culprit: no faces, coordinates that are
+/// not finite or beyond 1e18 (refined meshes are single precision), an index out of range, a face
+/// with fewer than three distinct vertices or with a vertex twice, an edge with three or more
+/// faces, a surface that cannot be oriented (Moebius). Two faces on the same vertices, back to
+/// back, are a closed surface and accepted, and so is a vertex with two edges. Faces keep their
+/// order and their first corner; vertices keep their order, copies come last. Takes linear time,
+/// whatever the valences and numbers of sides.
 [[nodiscard]] Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup);
 
 }  // namespace limn

@@ -35,7 +35,7 @@ struct RefinedMesh {
   [[nodiscard]] std::size_t face_count() const noexcept { return quads.size() + polygon_count(); }
   /// Vertices of face f, quads and others alike.
   [[nodiscard]] std::span<const std::uint32_t> face(std::size_t f) const noexcept;
-  /// Memory held by the arrays.
+  /// Bytes of the elements of all arrays: what a prediction foretells.
   [[nodiscard]] std::size_t bytes() const noexcept;
 };
 

@@ -2,6 +2,9 @@
 // numbers but has no id, and every use asserts that there is one.
 #include "render/gl/buffer.h"
 
+#include <fmt/format.h>
+
+#include "render/environment_error.h"
 #include "render/gl/label.h"
 
 namespace limn::render::gl {
@@ -23,6 +26,11 @@ void Buffer::resize(std::size_t bytes) {
   LIMN_EXPECTS(handle_);
   if (bytes > capacity_) {
     glNamedBufferData(id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+      size_ = capacity_ = 0;
+      throw EnvironmentError(
+          fmt::format("The graphics driver has no {} MB of memory left.", (bytes >> 20U) + 1));
+    }
     capacity_ = bytes;
   }
   size_ = bytes;

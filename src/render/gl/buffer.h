@@ -26,6 +26,7 @@ class Buffer {
   /// Replaces part of the contents, within the size.
   void write_bytes(std::size_t offset, std::span<const std::byte> bytes);
   /// Sets the size; contents are undefined afterwards where it grew beyond what was allocated.
+  /// Throws EnvironmentError where there is not that much memory.
   void resize(std::size_t bytes);
   /// Sets every byte of the contents to 0.
   void clear();

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "limn/error.h"
+#include "render/gl/buffer.h"
+#include "render/gl/vertex_array.h"
+#include "render/surface/surface.h"
+
+namespace limn::render {
+
+/// A Surface on the GPU, drawn by vertex pulling: positions, normals, corners, group records and
+/// face records lie in storage buffers, and one multi-draw command covers all groups. The shader
+/// finds its group by gl_DrawIDARB and its face and corner by gl_VertexID (shaders/surface.glsl),
+/// so nothing is duplicated and nothing is drawn face by face.
+class SurfaceBuffers {
+ public:
+  /// Makes the (empty) buffers; needs a current context.
+  SurfaceBuffers();
+
+  /// Replaces the contents and remembers `revision`, a number of the caller's choosing that is
+  /// never 0. Errors: kEnvironment where an array is larger than this driver lets shaders see; the
+  /// old contents stay.
+  [[nodiscard]] Result<void> upload(const Surface& surface, std::uint64_t revision);
+  /// Whether the last upload was of this revision.
+  [[nodiscard]] bool has(std::uint64_t revision) const noexcept { return revision_ == revision; }
+
+  /// Binds slots 0-3 and 5 of surface.glsl and draws all faces with the program in use.
+  void draw() const;
+  /// Binds slots 0 and 8 and draws all edges of a control surface, six vertices each, for shaders
+  /// that widen lines (edges.vert.glsl).
+  void draw_edges() const;
+
+  /// What positions are relative to; see clip_from_local.
+  [[nodiscard]] const glm::dvec3& origin() const noexcept { return origin_; }
+  [[nodiscard]] std::size_t face_count() const noexcept { return face_count_; }
+  [[nodiscard]] std::size_t edge_count() const noexcept { return edge_count_; }
+  [[nodiscard]] std::size_t control_face_count() const noexcept { return control_face_count_; }
+
+ private:
+  gl::VertexArray no_attributes_;
+  gl::Buffer positions_;
+  gl::Buffer normals_;
+  gl::Buffer corners_;
+  gl::Buffer groups_;
+  gl::Buffer faces_;
+  gl::Buffer edges_;
+  gl::Buffer commands_;
+  int group_count_ = 0;
+  glm::dvec3 origin_{0.0};
+  std::size_t face_count_ = 0;
+  std::size_t edge_count_ = 0;
+  std::size_t control_face_count_ = 0;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace limn::render

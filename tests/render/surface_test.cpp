@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+
+#include <glm/geometric.hpp>
+
+#include "render/surface/surface.h"
+#include "support/sample_meshes.h"
+
+namespace limn::render {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::uint32_t> corners_of(const Surface& surface, const SurfaceGroup& group,
+                                      std::uint32_t face_in_group) {
+  const auto first = surface.corners.begin() + group.first_corner + face_in_group * group.sides;
+  return {first, first + group.sides};
+}
+
+TEST(Surface, GroupsFacesBySides) {
+  const Surface surface = make_surface(*test::mixed_mesh());
+  EXPECT_THAT(surface.groups, ElementsAre(SurfaceGroup{3, 0, 2, 0}, SurfaceGroup{4, 2, 4, 6},
+                                          SurfaceGroup{5, 6, 2, 22}));
+  EXPECT_EQ(surface.corners.size(), 32U);
+  EXPECT_EQ(surface.control_face_count, 8U);
+}
+
+TEST(Surface, KeepsTheMeshOrderWithinAGroup) {
+  const auto mesh = test::mixed_mesh();
+  const Surface surface = make_surface(*mesh);
+  EXPECT_THAT(surface.face_control_faces, ElementsAre(2, 3, 0, 4, 6, 7, 1, 5));
+  for (const SurfaceGroup& group : surface.groups) {
+    for (std::uint32_t f = 0; f < group.face_count; ++f) {
+      const auto source = mesh->face(surface.face_control_faces[group.first_face + f]);
+      EXPECT_EQ(corners_of(surface, group, f),
+                std::vector<std::uint32_t>(source.begin(), source.end()));
+    }
+  }
+}
+
+TEST(Surface, PositionsAreRelativeToTheCentre) {
+  std::vector<glm::dvec3> positions{{1e7, 0, 0}, {1e7 + 1, 0, 0}, {1e7 + 1, 1, 0}, {1e7, 1, 0}};
+  const Surface surface = make_surface(*test::control_mesh(positions, {{0, 1, 2, 3}}));
+  EXPECT_EQ(surface.origin, glm::dvec3(1e7 + 0.5, 0.5, 0));
+  EXPECT_EQ(surface.positions[0], glm::vec3(-0.5F, -0.5F, 0));
+  EXPECT_EQ(surface.positions[2], glm::vec3(0.5F, 0.5F, 0));
+}
+
+TEST(Surface, NormalsPointOutwardsAndHaveUnitLength) {
+  const Surface surface = make_surface(*test::cube_mesh());
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    const glm::vec3 diagonal = glm::normalize(surface.positions[v]);
+    EXPECT_NEAR(glm::distance(surface.normals[v], diagonal), 0.0F, 1e-6F) << "vertex " << v;
+  }
+}
+
+TEST(Surface, NormalsAreWeightedByArea) {
+  // Two quads share the edge (0,0,0)-(0,1,0): one of area 3 facing +z, one of area 1 facing -x.
+  const Surface surface = make_surface(
+      *test::control_mesh({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 1, -1}},
+                          {{0, 1, 2, 3}, {0, 3, 5, 4}}));
+  const glm::vec3 expected = glm::normalize(glm::vec3(-1, 0, 3));
+  EXPECT_NEAR(glm::distance(surface.normals[0], expected), 0.0F, 1e-6F);
+  EXPECT_NEAR(glm::distance(surface.normals[1], glm::vec3(0, 0, 1)), 0.0F, 1e-6F);
+}
+
+TEST(Surface, ListsEveryControlEdgeOnce) {
+  EXPECT_EQ(make_surface(*test::cube_mesh()).edges.size(), 12U);
+  EXPECT_EQ(make_surface(*test::grid_mesh(3)).edges.size(), 24U);
+}
+
+RefinedMesh small_refined() {
+  RefinedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1, 2, 0}};
+  mesh.vertex_levels.assign(7, 0);
+  mesh.quads = {{0, 1, 2, 3}, {1, 4, 5, 2}};
+  mesh.polygon_offsets = {0, 3, 6};
+  mesh.polygon_vertices = {3, 2, 6, 2, 5, 6};
+  mesh.face_control_faces = {4, 4, 1, 0};
+  mesh.face_levels = {2, 1, 0, 0};
+  return mesh;
+}
+
+TEST(Surface, RefinedFacesKnowTheirControlFaceAndLevel) {
+  const Surface surface = make_surface(small_refined(), glm::dvec3(1, 1, 0), 5);
+  EXPECT_THAT(surface.groups, ElementsAre(SurfaceGroup{3, 0, 2, 0}, SurfaceGroup{4, 2, 2, 6}));
+  EXPECT_THAT(surface.face_control_faces, ElementsAre(1, 0, 4, 4));
+  EXPECT_THAT(surface.face_levels, ElementsAre(0, 0, 2, 1));
+  EXPECT_EQ(surface.positions[4], glm::vec3(1, -1, 0));
+  EXPECT_EQ(surface.control_face_count, 5U);
+  EXPECT_TRUE(surface.edges.empty());
+}
+
+TEST(Surface, EmptyRefinedMeshIsAnEmptySurface) {
+  const Surface surface = make_surface(RefinedMesh{}, glm::dvec3(0), 0);
+  EXPECT_TRUE(surface.groups.empty());
+  EXPECT_EQ(surface.face_count(), 0U);
+}
+
+}  // namespace
+}  // namespace limn::render
