@@ -1,0 +1,472 @@
+#include "limn/document/project_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "document/temporary_folder.h"
+#include "limn/document/commands.h"
+#include "limn/mesh/bundled.h"
+#include "limn/mesh/import.h"
+
+namespace limn {
+namespace {
+
+using test::read_text;
+using test::TemporaryFolder;
+using test::write_text;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+Document open(std::string_view name) {
+  return make_document(load_bundled_mesh(name).value(), std::string(name));
+}
+
+void expect_same_mesh(const ControlMesh& a, const ControlMesh& b) {
+  ASSERT_EQ(a.vertex_count(), b.vertex_count());
+  ASSERT_EQ(a.face_count(), b.face_count());
+  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double x = a.positions()[v][axis];
+      const double y = b.positions()[v][axis];
+      // By bits, so that -0 and 0 differ.
+      EXPECT_TRUE(x == y && std::signbit(x) == std::signbit(y)) << x << ' ' << y;
+    }
+  }
+  for (std::size_t f = 0; f < a.face_count(); ++f) {
+    EXPECT_TRUE(std::ranges::equal(a.face(f), b.face(f))) << f;
+  }
+  // The order around vertices decides how sums round, so it has to come back too.
+  EXPECT_EQ(a.topology().vertex_corners, b.topology().vertex_corners);
+  EXPECT_EQ(a.topology().edge_vertices, b.topology().edge_vertices);
+}
+
+void expect_same_document(const Document& a, const Document& b) {
+  expect_same_mesh(*a.control, *b.control);
+  expect_same_mesh(*a.opened, *b.opened);
+  EXPECT_EQ(a.opened == a.control, b.opened == b.control);
+  EXPECT_EQ(a.depths, b.depths);
+  EXPECT_EQ(a.settings, b.settings);
+  EXPECT_EQ(a.stage, b.stage);
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.mesh_path, b.mesh_path);
+}
+
+class ProjectFile : public ::testing::Test {
+ protected:
+  /// What loading this text complains about, as a person would read it.
+  std::string complaint(std::string_view text) {
+    write_text(path_, text);
+    const Result<Project> project = load_project(path_);
+    if (project) {
+      return "was loaded";
+    }
+    EXPECT_EQ(project.error().kind, ErrorKind::kBadInput);
+    EXPECT_EQ(project.error().path, path_.string());
+    line_ = project.error().line;
+    return project.error().message;
+  }
+
+  /// A painted cube as text.
+  std::string cube_text() {
+    Document document = open("cube");
+    document.depths.set(3, 5);
+    EXPECT_TRUE(save_project(path_, document, ViewState{}));
+    return read_text(path_);
+  }
+
+  /// The cube's text with one piece of it replaced, and what loading it complains about.
+  std::string complaint_with(std::string_view piece, std::string_view other) {
+    std::string text = cube_text();
+    const std::size_t at = text.find(piece);
+    EXPECT_NE(at, std::string::npos) << piece;
+    return complaint(text.replace(at, piece.size(), other));
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "test.limn";
+  std::size_t line_ = 0;
+};
+
+TEST_F(ProjectFile, ComesBackAsItWas) {
+  for (const std::string_view name : {"cube", "icosahedron", "mixed", "grid", "torus_open"}) {
+    Document document = open(name);
+    document.name = "B\xC3\xA4r \"quoted\" \\ \n";
+    document.mesh_path = "/some where/\xC3\xA4.obj";
+    for (std::size_t f = 0; f < document.depths.size(); ++f) {
+      document.depths.set(f, static_cast<int>(f * 7 % (kMaxDepth + 1)));
+    }
+    document.settings = {NonQuadRule::kWherePainted, LegalisationMethod::kGreedy,
+                         CornerRule::kSmooth};
+    document.stage = {true, 3};
+    const ViewState view{{0.1, -1e-30, 3e10}, 1.0 / 3.0, 725.5, -89.9, 20.0, true};
+    ASSERT_TRUE(save_project(path_, document, view));
+    const Result<Project> loaded = load_project(path_);
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    expect_same_document(document, loaded->document);
+    EXPECT_EQ(loaded->view, view);
+    EXPECT_EQ(loaded->document.project_path, path_);
+
+    // And saving it again gives the same bytes.
+    const std::string text = read_text(path_);
+    ASSERT_TRUE(save_project(path_, loaded->document, loaded->view));
+    EXPECT_EQ(read_text(path_), text);
+  }
+}
+
+TEST_F(ProjectFile, WithoutAViewAndWithAllLevels) {
+  Document document = open("cube");
+  document.stage = {false, kAllLevels};
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  const Project loaded = load_project(path_).value();
+  expect_same_document(document, loaded.document);
+  EXPECT_FALSE(loaded.view);
+}
+
+TEST_F(ProjectFile, AwkwardNumbersComeBackBitForBit) {
+  std::mt19937_64 random(1985);
+  for (int round = 0; round < 50; ++round) {
+    PolygonSoup soup;
+    for (int v = 0; v < 4; ++v) {
+      glm::dvec3 p;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double mantissa = std::uniform_real_distribution<>(-1.0, 1.0)(random);
+        p[axis] = std::ldexp(mantissa, static_cast<int>(random() % 400) - 200);
+      }
+      soup.positions.push_back(p);
+    }
+    soup.positions[0].x = -0.0;
+    soup.positions[1].y = 9007199254740993.0 * static_cast<double>(1 + random() % 1000);
+    soup.positions[2].z = 1e22;
+    const std::vector<std::uint32_t> corners{2, 3, 0, 1};
+    soup.add_face(corners);
+    const Document document = make_document(build_control_mesh(soup).value(), "numbers");
+    ASSERT_TRUE(save_project(path_, document, std::nullopt));
+    const Result<Project> loaded = load_project(path_);
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    expect_same_document(document, loaded->document);
+  }
+}
+
+TEST_F(ProjectFile, KeepsTheOpenedMeshForRevert) {
+  Document document = open("cube");
+  replace_control_command(load_bundled_mesh("grid").value().mesh, "apply")->apply(document);
+  document.depths.set(17, 2);
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  Document loaded = load_project(path_).value().document;
+  expect_same_document(document, loaded);
+  revert_command()->apply(loaded);
+  EXPECT_EQ(loaded.control->face_count(), 6U);
+  EXPECT_EQ(loaded.depths.size(), 6U);
+}
+
+TEST_F(ProjectFile, NamesThatAreNotUtf8DoNotBreakTheFile) {
+  Document document = open("cube");
+  document.name = "caf\xE9";
+  document.mesh_path = "/tmp/caf\xE9.obj";
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  const Project loaded = load_project(path_).value();
+  EXPECT_EQ(loaded.document.name, "caf\xEF\xBF\xBD");
+  EXPECT_EQ(loaded.document.mesh_path, "");
+}
+
+TEST_F(ProjectFile, OtherMembersArePassedOver) {
+  EXPECT_EQ(complaint_with("\"version\": 1,",
+                           "\"version\": 1, \"made_by\": {\"mesh\": [1, {\"faces\": [2]}]}, "
+                           "\"mesh/positions\": [],"),
+            "was loaded");
+}
+
+TEST_F(ProjectFile, SaysWhereTheTextIsNotJson) {
+  EXPECT_THAT(complaint(""), HasSubstr("empty"));
+  EXPECT_THAT(complaint(" \n "), HasSubstr("empty"));
+  EXPECT_THAT(complaint("v 0 0 0\nf 1 2 3\n"), HasSubstr("JSON"));
+  EXPECT_EQ(line_, 1U);
+  const std::string text = cube_text();
+  complaint(text.substr(0, text.size() / 2));
+  EXPECT_GT(line_, 10U);
+  EXPECT_THAT(complaint_with("\"mesh\": {", "\"mesh\": {,"), HasSubstr("/mesh"));
+  EXPECT_THAT(complaint_with("\"distance\": 3", "\"distance\": NaN"), HasSubstr("/view/distance"));
+  EXPECT_THAT(complaint_with("\"distance\": 3", "\"distance\": 1e999"), HasSubstr("1e999"));
+  EXPECT_THAT(complaint(text + "x"), HasSubstr("JSON"));
+  EXPECT_LT(complaint("{\"format\": \"" + std::string(1000000, 'x')).size(), 500U);
+}
+
+TEST_F(ProjectFile, RefusesWhatIsNotAProject) {
+  EXPECT_THAT(complaint("{}"), StartsWith("/format: "));
+  EXPECT_THAT(complaint("[1, 2, 3]"), StartsWith("/format: "));
+  EXPECT_THAT(complaint("17"), StartsWith("/format: "));
+  EXPECT_THAT(complaint("null"), StartsWith("/format: "));
+  EXPECT_THAT(complaint_with("limn-project", "limn-brush"), HasSubstr("no Limn project"));
+}
+
+TEST_F(ProjectFile, RefusesNewerVersionsBeforeAnythingElse) {
+  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 2"), HasSubstr("newer"));
+  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 0"), StartsWith("/version: "));
+  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": \"1\""), StartsWith("/version: "));
+  EXPECT_THAT(complaint_with("\"version\": 1,", ""), StartsWith("/version: "));
+  // What a newer version means by its lists is not ours to judge, even where they come first.
+  EXPECT_THAT(complaint("{\"depths\": [{}], \"format\": \"limn-project\", \"version\": 99}"),
+              HasSubstr("newer"));
+}
+
+TEST_F(ProjectFile, NamesTheCulpritAmongTheDepths) {
+  const auto with = [&](std::string_view depths) {
+    return complaint_with("[0, 0, 0, 5, 0, 0]", depths);
+  };
+  EXPECT_EQ(with("[0, 0, 0, 10, 0, 0]"), "was loaded");
+  EXPECT_THAT(with("[0, 0, 0, 11, 0, 0]"), StartsWith("/depths/3: "));
+  EXPECT_THAT(with("[0, 0, 0, 0, 0, -1]"), StartsWith("/depths/5: "));
+  EXPECT_THAT(with("[0, 1.0, 0, 0, 0, 0]"), StartsWith("/depths/1: "));
+  EXPECT_THAT(with("[true, 0, 0, 0, 0, 0]"), StartsWith("/depths/0: "));
+  EXPECT_THAT(with("[0, 0, \"1\", 0, 0, 0]"), StartsWith("/depths/2: "));
+  EXPECT_THAT(with("[0, 0, 0, 0, null, 0]"), StartsWith("/depths/4: "));
+  EXPECT_THAT(with("[0, 0, [0], 0, 0, 0]"), StartsWith("/depths/2: "));
+  EXPECT_THAT(with("[0, 0, {}, 0, 0, 0]"), StartsWith("/depths/2: "));
+  EXPECT_THAT(with("[0, 0, 256, 0, 0, 0]"), StartsWith("/depths/2: "));
+  EXPECT_THAT(with("[0, 0, 18446744073709551616, 0, 0, 0]"), StartsWith("/depths/2: "));
+  EXPECT_THAT(with("[0, 0, 0, 0, 0]"), HasSubstr("5 entries for 6 faces"));
+  EXPECT_THAT(with("[0, 0, 0, 0, 0, 0, 0]"), HasSubstr("7 entries for 6 faces"));
+  EXPECT_THAT(with("6"), StartsWith("/depths: must be a list"));
+  EXPECT_THAT(with("{\"0\": 1}"), StartsWith("/depths: must be a list"));
+  EXPECT_THAT(with("[0, 0, 0, 0, 0, 0], \"depths\": [0, 0, 0, 0, 0, 0]"), HasSubstr("twice"));
+}
+
+TEST_F(ProjectFile, NamesTheCulpritInTheMesh) {
+  const std::string text = cube_text();
+  const std::size_t first = text.find('[', text.find("\"positions\"") + 14);
+  const std::string position = text.substr(first, text.find(']', first) - first + 1);
+  EXPECT_THAT(complaint_with(position, "[1, 2]"), StartsWith("/mesh/positions/0: has 2"));
+  EXPECT_THAT(complaint_with(position, "[1, 2, 3, 4]"), StartsWith("/mesh/positions/0: has 4"));
+  EXPECT_THAT(complaint_with(position, "7"), StartsWith("/mesh/positions/0: "));
+  EXPECT_THAT(complaint_with(position, "[1, \"2\", 3]"), StartsWith("/mesh/positions/0/1: "));
+  EXPECT_THAT(complaint_with(position, "[1, 2, null]"), StartsWith("/mesh/positions/0/2: "));
+  EXPECT_THAT(complaint_with(position, "[1, 2, [3]]"), StartsWith("/mesh/positions/0/2: "));
+  EXPECT_THAT(complaint_with(position, "[[1, 2, 3]]"), StartsWith("/mesh/positions/0/0: "));
+  EXPECT_THAT(complaint_with(position, "{\"x\": 1}"), StartsWith("/mesh/positions/0: "));
+
+  const std::size_t faces = text.find('[', text.find("\"faces\"") + 10);
+  const std::string face = text.substr(faces, text.find(']', faces) - faces + 1);
+  EXPECT_THAT(complaint_with(face, "[0, 1, 2, 8]"), StartsWith("/mesh/faces/0/3: "));
+  EXPECT_THAT(complaint_with(face, "[0, 1, -2, 3]"), StartsWith("/mesh/faces/0/2: "));
+  EXPECT_THAT(complaint_with(face, "[0, 1.5, 2, 3]"), StartsWith("/mesh/faces/0/1: "));
+  EXPECT_THAT(complaint_with(face, "[0, 1, 4294967296]"), StartsWith("/mesh/faces/0/2: "));
+  EXPECT_THAT(complaint_with(face, "[0, 1]"), StartsWith("/mesh/faces/0: has 2"));
+  EXPECT_THAT(complaint_with(face, "[]"), StartsWith("/mesh/faces/0: has 0"));
+  EXPECT_THAT(complaint_with(face, "[0, 1, 1, 0]"), StartsWith("/mesh: "));
+  EXPECT_THAT(complaint_with("\"faces\"", "\"fases\""), StartsWith("/mesh/faces: is missing"));
+  EXPECT_THAT(complaint_with("\"positions\"", "\"p\""), StartsWith("/mesh/positions: is missing"));
+  EXPECT_THAT(complaint_with("\"mesh\"", "\"mash\""), StartsWith("/mesh: is missing"));
+}
+
+TEST_F(ProjectFile, RefusesAMeshThatWouldHaveToBeMended) {
+  const std::string text = cube_text();
+  const std::size_t faces = text.find('[', text.find("\"faces\"") + 10);
+  std::string face = text.substr(faces, text.find(']', faces) - faces + 1);
+  // The other way round: its neighbours disagree, and mending would turn it.
+  std::string turned = face;
+  std::swap(turned[1], turned[10]);
+  std::swap(turned[4], turned[7]);
+  ASSERT_NE(turned, face);
+  EXPECT_THAT(complaint_with(face, turned), StartsWith("/mesh: is damaged"));
+  // A vertex in no face, which an import would drop.
+  EXPECT_THAT(complaint_with("\"positions\": [", "\"positions\": [[9, 9, 9],"),
+              StartsWith("/mesh: "));
+  // Without any face.
+  EXPECT_THAT(complaint("{\"format\": \"limn-project\", \"version\": 1, \"name\": \"\", "
+                        "\"mesh_path\": \"\", \"settings\": {\"non_quads\": \"where-painted\", "
+                        "\"legalisation\": \"greedy\", \"corners\": \"sharp\"}, \"stage\": "
+                        "{\"legalised\": false, \"levels\": 0}, \"depths\": [], \"mesh\": "
+                        "{\"positions\": [], \"faces\": []}}"),
+              StartsWith("/mesh: "));
+}
+
+TEST_F(ProjectFile, NamesTheCulpritInTheRest) {
+  EXPECT_THAT(complaint_with("\"uniform-first-step\"", "\"never\""),
+              HasSubstr("/settings/non_quads: must be one of \"uniform-first-step\""));
+  EXPECT_THAT(complaint_with("\"greedy\"", "7"), StartsWith("/settings/legalisation: "));
+  EXPECT_THAT(complaint_with("\"settings\": {", "\"settings\": [], \"old\": {"),
+              StartsWith("/settings: must be an object"));
+  EXPECT_THAT(complaint_with("\"legalised\": false", "\"legalised\": 0"),
+              StartsWith("/stage/legalised: "));
+  EXPECT_THAT(complaint_with("\"levels\": 0", "\"levels\": -1"), StartsWith("/stage/levels: "));
+  EXPECT_THAT(complaint_with("\"levels\": 0", "\"levels\": 256"), StartsWith("/stage/levels: "));
+  EXPECT_THAT(complaint_with("\"levels\": 0", "\"levels\": \"most\""),
+              StartsWith("/stage/levels: "));
+  EXPECT_THAT(complaint_with("\"levels\": 0", "\"levels\": 0.5"), StartsWith("/stage/levels: "));
+  EXPECT_THAT(complaint_with("\"name\": \"cube\"", "\"name\": 3"), StartsWith("/name: "));
+  EXPECT_THAT(complaint_with("\"name\": \"cube\"", "\"name\": \"a\\u0000b\""),
+              HasSubstr("zero byte"));
+  EXPECT_THAT(complaint_with("\"name\": \"cube\",", ""), StartsWith("/name: is missing"));
+  EXPECT_THAT(complaint_with("\"name\": \"cube\"", "\"name\": \"a\", \"name\": \"b\""),
+              HasSubstr("twice"));
+  EXPECT_THAT(complaint_with("\"pitch\": 0", "\"pitch\": 91"), StartsWith("/view/pitch: 91"));
+  EXPECT_THAT(complaint_with("\"distance\": 3", "\"distance\": 0"), StartsWith("/view/distance"));
+  EXPECT_THAT(complaint_with("\"view\": {", "\"view\": 3, \"old\": {"), StartsWith("/view: "));
+}
+
+TEST_F(ProjectFile, RefusesDeepNesting) {
+  EXPECT_THAT(complaint(std::string(1000000, '[')), HasSubstr("nested"));
+  std::string objects;
+  for (int i = 0; i < 100000; ++i) {
+    objects += "{\"a\":";
+  }
+  EXPECT_THAT(complaint(objects), HasSubstr("nested"));
+  EXPECT_THAT(complaint("{\"depths\": " + std::string(100000, '[')), HasSubstr("nested"));
+}
+
+TEST_F(ProjectFile, ManyEntriesDoNotFillTheMemory) {
+  std::string text = "{\"format\": \"limn-project\", \"version\": 1, \"view\": [";
+  for (int i = 0; i < 100000; ++i) {
+    text += "0,";
+  }
+  EXPECT_THAT(complaint(text + "0]}"), HasSubstr("one entry too many"));
+}
+
+TEST_F(ProjectFile, RefusesWhatIsNoRegularFile) {
+  const auto refused = [](const std::filesystem::path& path) {
+    const Result<Project> project = load_project(path);
+    EXPECT_FALSE(project);
+    EXPECT_EQ(project.error().kind, ErrorKind::kBadInput);
+    return project.error().message;
+  };
+  EXPECT_THAT(refused(folder_ / "missing.limn"), HasSubstr("No such file"));
+  EXPECT_THAT(refused(folder_.path()), HasSubstr("folder"));
+  EXPECT_THAT(refused("/dev/zero"), HasSubstr("not a regular file"));
+  const std::filesystem::path pipe = folder_ / "pipe.limn";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(refused(pipe), HasSubstr("not a regular file"));  // And does not wait for a writer.
+  const std::filesystem::path huge = folder_ / "huge.limn";
+  write_text(huge, "{");
+  std::filesystem::resize_file(huge, std::uintmax_t{1} << 40U);  // Sparse: takes no room.
+  EXPECT_THAT(refused(huge), HasSubstr("larger than"));
+}
+
+TEST_F(ProjectFile, AFailedSaveLeavesTheOldFile) {
+  const std::string before = cube_text();
+  ViewState nowhere;
+  nowhere.distance = std::nan("");
+  const Result<void> saved = save_project(path_, open("grid"), nowhere);
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().kind, ErrorKind::kFailed);
+  EXPECT_EQ(read_text(path_), before);
+  EXPECT_FALSE(save_project(folder_ / "no/such/folder.limn", open("cube"), std::nullopt));
+}
+
+/// However a project is damaged, loading it gives an error or a document that holds together.
+TEST_F(ProjectFile, DamagedProjectsAreRefusedOrWhole) {
+  Document document = open("mixed");
+  document.depths.set(7, 3);
+  ASSERT_TRUE(save_project(path_, document, ViewState{}));
+  const std::string mixed = read_text(path_);
+  const std::string cube = cube_text();
+  const std::string_view pieces = "0123456789[]{},:\"-.eEtfn \\u\n\xFF\x80";
+  std::mt19937 random(23);
+  int loaded_count = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::string text = round % 4 == 0 ? mixed : cube;
+    switch (random() % 4) {
+      case 0:
+        text.resize(random() % text.size());
+        break;
+      case 1: {
+        char& byte = text[random() % text.size()];
+        byte = static_cast<char>(byte ^ (1 << random() % 8));
+        break;
+      }
+      case 2:
+        text.insert(random() % text.size(), 1, pieces[random() % pieces.size()]);
+        break;
+      default:
+        text.erase(random() % text.size(), 1 + random() % 20);
+    }
+    write_text(path_, text);
+    const Result<Project> project = load_project(path_);
+    if (!project) {
+      ASSERT_EQ(project.error().kind, ErrorKind::kBadInput);
+      ASSERT_FALSE(project.error().message.empty());
+      continue;
+    }
+    ++loaded_count;
+    const Document& loaded = project->document;
+    ASSERT_EQ(loaded.depths.size(), loaded.control->face_count());
+    ASSERT_NE(loaded.opened, nullptr);
+    ASSERT_LE(loaded.depths.deepest(), kMaxDepth);
+    if (loaded_count % 20 == 0) {
+      ASSERT_TRUE(save_project(folder_ / "again.limn", loaded, project->view));
+    }
+  }
+  EXPECT_GT(loaded_count, 0);
+  EXPECT_LT(loaded_count, 3000);
+}
+
+class ViewFile : public ::testing::Test {
+ protected:
+  std::string complaint(std::string_view text) {
+    write_text(path_, text);
+    const Result<ViewState> view = load_view(path_);
+    return view ? "was loaded" : view.error().message;
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "camera.json";
+};
+
+TEST_F(ViewFile, ComesBackAsItWas) {
+  for (const ViewState& view :
+       {ViewState{}, ViewState{{1e-9, -0.0, 1e12}, 0.1, -1234.5, 90.0, 100.0, true}}) {
+    ASSERT_TRUE(save_view(path_, view));
+    EXPECT_EQ(load_view(path_).value(), view);
+  }
+}
+
+TEST_F(ViewFile, IsTheViewOfAProject) {
+  const ViewState view{{1, 2, 3}, 4, 5, 6, 7, true};
+  ASSERT_TRUE(save_project(folder_ / "p.limn", open("cube"), view));
+  const std::string text = read_text(folder_ / "p.limn");
+  const std::size_t begin = text.find('{', text.find("\"view\""));
+  write_text(path_, text.substr(begin, text.find('}', begin) - begin + 1));
+  EXPECT_EQ(load_view(path_).value(), view);
+}
+
+TEST_F(ViewFile, NamesTheCulprit) {
+  const std::string good =
+      "{\"target\": [0, 0, 0], \"distance\": 3, \"yaw\": 0, \"pitch\": 0, \"fov_degrees\": 35, "
+      "\"orthographic\": false}";
+  ASSERT_EQ(complaint(good), "was loaded");
+  const auto with = [&](std::string_view piece, std::string_view other) {
+    std::string text = good;
+    return complaint(text.replace(text.find(piece), piece.size(), other));
+  };
+  EXPECT_THAT(with("[0, 0, 0]", "[0, 0]"), StartsWith("/target: "));
+  EXPECT_THAT(with("[0, 0, 0]", "[0, 0, 0, 0]"), StartsWith("/target: "));
+  EXPECT_THAT(with("[0, 0, 0]", "[0, \"0\", 0]"), StartsWith("/target/1: "));
+  EXPECT_THAT(with("[0, 0, 0]", "0"), StartsWith("/target: "));
+  EXPECT_THAT(with("\"distance\": 3", "\"distance\": -3"), StartsWith("/distance: "));
+  EXPECT_THAT(with("\"distance\": 3,", ""), StartsWith("/distance: is missing"));
+  EXPECT_THAT(with("\"pitch\": 0", "\"pitch\": -90.5"), StartsWith("/pitch: -90.5"));
+  EXPECT_THAT(with("\"fov_degrees\": 35", "\"fov_degrees\": 180"), StartsWith("/fov_degrees: "));
+  EXPECT_THAT(with("\"fov_degrees\": 35", "\"fov_degrees\": 0"), StartsWith("/fov_degrees: "));
+  EXPECT_THAT(with("false", "\"no\""), StartsWith("/orthographic: "));
+  EXPECT_THAT(with("\"yaw\": 0", "\"yaw\": 1e400"), HasSubstr("1e400"));
+  EXPECT_THAT(complaint("[]"), StartsWith("/: must be an object"));
+}
+
+TEST_F(ViewFile, DoesNotSaveWhatItWouldNotLoad) {
+  ViewState view;
+  view.yaw = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(save_view(path_, view));
+  EXPECT_FALSE(std::filesystem::exists(path_));
+  EXPECT_FALSE(load_view(folder_.path()));
+}
+
+}  // namespace
+}  // namespace limn
