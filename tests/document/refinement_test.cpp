@@ -1,0 +1,204 @@
+#include "limn/document/refinement.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/document/commands.h"
+#include "limn/document/history.h"
+#include "limn/mesh/bundled.h"
+#include "limn/subdivision/label_subdivision.h"
+#include "limn/subdivision/labels.h"
+#include "support/shapes.h"
+
+namespace limn {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+DerivedLabels labels_of(const ControlMesh& mesh, std::span<const std::uint8_t> depths,
+                        const SubdivisionSettings& settings = {}) {
+  IgnoreProgress progress;
+  return derive_labels(mesh, depths, settings, progress).value();
+}
+
+Refinement refinement_of(const ControlMesh& mesh, std::span<const std::uint8_t> depths,
+                         const RefinementOptions& options = {}) {
+  IgnoreProgress progress;
+  const DerivedLabels labels = labels_of(mesh, depths, options.settings);
+  return derive_refinement(mesh, labels.legal.labels, options, progress).value();
+}
+
+/// Stops at the n-th report, and checks that reports rise.
+class StopAt final : public Progress {
+ public:
+  explicit StopAt(int reports) : left_(reports) {}
+  [[nodiscard]] bool report(double fraction, std::string_view stage) override {
+    EXPECT_GE(fraction, 0.0);
+    EXPECT_LE(fraction, 1.0);
+    EXPECT_FALSE(stage.empty());
+    if (stage == stage_) {
+      EXPECT_GE(fraction, fraction_);
+    }
+    stage_ = stage;
+    fraction_ = fraction;
+    return left_-- > 0;
+  }
+
+ private:
+  int left_;
+  std::string stage_;
+  double fraction_ = 0.0;
+};
+
+TEST(DeriveLabels, CubeWithOneFacePaintedIsMendedByThreeRelabels) {
+  const auto cube = test::cube();
+  const std::vector<std::uint8_t> depths{5, 0, 0, 0, 0, 0};
+  const DerivedLabels derived = labels_of(*cube, depths);
+  EXPECT_EQ(derived.painted, vertex_labels(*cube, depths));
+  EXPECT_EQ(derived.illegal_faces, illegal_faces(*cube, derived.painted));
+  EXPECT_EQ(derived.illegal_faces.size(), 4U);
+  EXPECT_EQ(derived.illegal_vertices.size(), 4U);
+  EXPECT_EQ(derived.legal.steps.size(), 3U);
+  EXPECT_THAT(illegal_faces(*cube, derived.legal.labels), IsEmpty());
+  EXPECT_EQ(derived.prediction.faces, 2484U);
+  EXPECT_EQ(derived.prediction.vertices, 2486U);
+  EXPECT_EQ(derived.prediction.levels, 5);
+  EXPECT_EQ(derived.prediction.uniform_faces, 6U * 1024U);
+}
+
+TEST(DeriveLabels, NothingPaintedNeedsNothing) {
+  const auto cube = test::cube();
+  const DerivedLabels derived = labels_of(*cube, std::vector<std::uint8_t>(6));
+  EXPECT_THAT(derived.illegal_faces, IsEmpty());
+  EXPECT_THAT(derived.legal.steps, IsEmpty());
+  EXPECT_EQ(derived.prediction.faces, 6U);
+  EXPECT_EQ(derived.prediction.levels, 0);
+}
+
+TEST(DeriveLabels, FollowsTheRuleForNonQuads) {
+  const auto mixed = load_bundled_mesh("mixed").value().mesh;
+  std::vector<std::uint8_t> depths(mixed->face_count());
+  depths[0] = 2;
+  const DerivedLabels uniform = labels_of(*mixed, depths);
+  EXPECT_THAT(uniform.painted, ::testing::Each(::testing::Ge(1)));
+  EXPECT_THAT(uniform.illegal_faces, IsEmpty());
+  const DerivedLabels painted =
+      labels_of(*mixed, depths, {.non_quads = NonQuadRule::kWherePainted});
+  EXPECT_EQ(painted.painted,
+            apply_non_quad_rule(*mixed, vertex_labels(*mixed, depths), NonQuadRule::kWherePainted));
+  EXPECT_LT(painted.prediction.faces, uniform.prediction.faces);
+}
+
+TEST(DeriveRefinement, HoldsWhatWasPredicted) {
+  test::Random random(5);
+  for (const std::string_view name : {"cube", "mixed", "grid", "torus_open", "icosahedron"}) {
+    const auto mesh = load_bundled_mesh(name).value().mesh;
+    const auto depths = test::random_depths(*mesh, 0.2, 3, random);
+    for (const int levels : {1, 2, kAllLevels}) {
+      RefinementOptions options;
+      options.levels = levels;
+      const Refinement refinement = refinement_of(*mesh, depths, options);
+      EXPECT_EQ(refinement.mesh->face_count(), refinement.prediction.faces);
+      EXPECT_EQ(refinement.mesh->vertex_count(), refinement.prediction.vertices);
+      EXPECT_LE(refinement.prediction.levels, levels);
+      EXPECT_TRUE(refinement.cracks.is_watertight()) << name;
+    }
+  }
+}
+
+TEST(DeriveRefinement, OverBudgetIsRefusedAndTheBudgetItselfIsNot) {
+  const auto cube = test::cube();
+  const DerivedLabels labels = labels_of(*cube, std::vector<std::uint8_t>{3, 0, 0, 0, 0, 0});
+  IgnoreProgress progress;
+  RefinementOptions options;
+  options.face_budget = labels.prediction.faces - 1;
+  const auto refused = derive_refinement(*cube, labels.legal.labels, options, progress);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kOverBudget);
+  EXPECT_THAT(refused.error().message, ::testing::HasSubstr("228"));
+  options.face_budget = labels.prediction.faces;
+  EXPECT_TRUE(derive_refinement(*cube, labels.legal.labels, options, progress));
+}
+
+TEST(DeriveRefinement, StopsWhereverItIsTold) {
+  const auto cube = test::cube();
+  const DerivedLabels labels = labels_of(*cube, std::vector<std::uint8_t>{4, 0, 0, 0, 0, 0});
+  int stopped = 0;
+  for (int reports = 0; reports < 10000; ++reports) {
+    StopAt progress(reports);
+    const auto derived = derive_refinement(*cube, labels.legal.labels, {}, progress);
+    if (derived) {
+      break;
+    }
+    ASSERT_EQ(derived.error().kind, ErrorKind::kCancelled);
+    ++stopped;
+  }
+  EXPECT_GT(stopped, 1);  // At least once while refining and once before the check.
+  EXPECT_LT(stopped, 10000);
+}
+
+TEST(DeriveRefinement, PaintingAfterSubdividingRefinesTheControlMeshAgain) {
+  const auto cube = test::cube();
+  Document document = make_document({cube, {}}, "cube");
+  History history;
+  const auto paint = [&](std::uint32_t face, int depth) {
+    const std::vector<std::uint32_t> faces{face};
+    history.execute(
+        document,
+        paint_command(plan_edits(document.depths, faces, DepthChange::set(depth)), "paint"));
+  };
+  const auto refined = [&] {
+    RefinementOptions options;
+    options.levels = document.stage.levels;
+    return refinement_of(*document.control, document.depths.values(), options);
+  };
+  paint(0, 5);
+  history.execute(document, stage_command({true, kAllLevels}, "subdivide"));
+  EXPECT_EQ(refined().mesh->face_count(), 2484U);
+  const auto before = refined().mesh->positions;
+
+  paint(0, 3);
+  EXPECT_EQ(refined().mesh->face_count(), 228U);
+  history.undo(document);
+  EXPECT_EQ(refined().mesh->positions, before);
+  EXPECT_EQ(document.control, cube);
+}
+
+TEST(DeriveRefinement, LoweringThreeToTwoGivesWhatPaintingTwoGives) {
+  const auto mesh = load_bundled_mesh("grid").value().mesh;
+  FaceDepths lowered(mesh->face_count());
+  FaceDepths painted(mesh->face_count());
+  for (const std::size_t face : {40U, 41U, 52U}) {
+    lowered.set(face, 3);
+    painted.set(face, 2);
+  }
+  const std::vector<std::uint32_t> faces{40, 41, 52};
+  apply_edits(lowered, plan_edits(lowered, faces, DepthChange::add(-1)));
+  EXPECT_EQ(labels_of(*mesh, lowered.values()).legal.labels,
+            labels_of(*mesh, painted.values()).legal.labels);
+  EXPECT_EQ(refinement_of(*mesh, lowered.values()).mesh->positions,
+            refinement_of(*mesh, painted.values()).mesh->positions);
+}
+
+TEST(DeriveRefinement, RaisingTwiceOnAMixedMeshAddsTwoLevelsAndNoMore) {
+  const auto mesh = load_bundled_mesh("mixed").value().mesh;
+  FaceDepths depths(mesh->face_count());
+  std::vector<std::uint32_t> all(mesh->face_count());
+  for (std::uint32_t f = 0; f < all.size(); ++f) {
+    all[f] = f;
+  }
+  std::vector<int> levels;
+  for (int i = 0; i < 2; ++i) {
+    apply_edits(depths, plan_edits(depths, all, DepthChange::add(1)));
+    levels.push_back(labels_of(*mesh, depths.values()).prediction.levels);
+  }
+  // One more than painted, by the uniform first step; not one more for each time it is painted.
+  EXPECT_THAT(levels, ElementsAre(2, 3));
+}
+
+}  // namespace
+}  // namespace limn
