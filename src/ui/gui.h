@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -50,12 +52,22 @@ struct PanelLayout {
   [[nodiscard]] bool operator==(const PanelLayout&) const = default;
 };
 
+/// The shape the cursor shall have.
+enum class CursorShape : std::uint8_t { kArrow, kText, kResizeHorizontal };
+
+/// Where a control was drawn, by the name of what it does. Tests press buttons by it.
+struct ItemRect {
+  std::string name;
+  WindowRect rect;
+};
+
 /// What came of one frame.
 struct GuiFrame {
-  std::vector<Action> actions;       ///< In the order they were asked for: keys, then widgets.
-  WindowRect viewport;               ///< The part of the window that the panels leave free.
-  ViewportInput viewport_input;      ///< The mouse, as far as it is the viewport's.
-  bool wants_text = false;           ///< A text field has the keyboard.
+  std::vector<Action> actions;   ///< In the order they were asked for: keys, then widgets.
+  WindowRect viewport;           ///< The part of the window that the panels leave free.
+  ViewportInput viewport_input;  ///< The mouse, as far as it is the viewport's.
+  bool wants_text = false;       ///< A text field has the keyboard.
+  CursorShape cursor = CursorShape::kArrow;
   bool needs_another_frame = false;  ///< The interface has not settled: draw again at once.
 };
 
@@ -84,6 +96,16 @@ class Gui {
   /// The fonts' texture (RGBA or alpha). Upload it when `atlas_revision` changes, then SetTexID.
   [[nodiscard]] ImFontAtlas& atlas() const;
   [[nodiscard]] std::uint64_t atlas_revision() const noexcept;
+
+  /// Text fields copy and paste through these.
+  void set_clipboard(std::function<std::string()> read, std::function<void(std::string)> write);
+
+  /// Draws the legend alone, lower left in an image of this size, for pictures made without a
+  /// window.
+  void frame_legend(const DepthCounts& counts, Theme theme, WindowSize image);
+
+  /// Controls of the last frame.
+  [[nodiscard]] std::span<const ItemRect> items() const;
 
   [[nodiscard]] PanelLayout layout() const;
   void set_layout(const PanelLayout& layout);

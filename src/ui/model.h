@@ -158,6 +158,9 @@ struct PathPrompt {
 using Modal = std::variant<std::monostate, ErrorDialog, OverBudgetQuestion, UnsavedQuestion,
                            HelpSheet, PathPrompt>;
 
+/// Control faces of each depth.
+using DepthCounts = std::array<std::size_t, kMaxDepth + 1>;
+
 /// Everything the panels read in one frame. They change nothing: what a person wants comes back as
 /// actions. References and spans must live through the frame.
 struct Model {
@@ -170,9 +173,9 @@ struct Model {
   KeymapId keymap = KeymapId::kOriginal;
   ViewState view;
 
-  std::array<std::size_t, kMaxDepth + 1> depth_counts{};  ///< Control faces of each depth.
-  double dihedral_threshold = 30.0;                       ///< Degrees.
-  std::optional<std::size_t> dihedral_faces;              ///< Faces over the threshold, if counted.
+  DepthCounts depth_counts{};
+  double dihedral_threshold = 30.0;           ///< Degrees.
+  std::optional<std::size_t> dihedral_faces;  ///< Faces over the threshold, if counted.
 
   RefinementStatus refinement;
   HistoryStatus history;

@@ -1,0 +1,139 @@
+// Icons are strokes on a grid of 20 x 20 about the centre, so they are sharp at any scale and need
+// no files.
+
+#include "ui/icons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+
+namespace limn::ui {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+struct Pen {
+  ImDrawList& list;
+  ImVec2 centre;
+  float grid;
+  ImU32 colour;
+
+  [[nodiscard]] ImVec2 at(float x, float y) const {
+    return {centre.x + x * grid, centre.y + y * grid};
+  }
+  [[nodiscard]] float width() const { return std::max(1.0F, 1.6F * grid); }
+  void stroke(std::initializer_list<ImVec2> points, bool is_closed = false) const {
+    for (const ImVec2& p : points) {
+      list.PathLineTo(at(p.x, p.y));
+    }
+    list.PathStroke(colour, is_closed ? ImDrawFlags_Closed : ImDrawFlags_None, width());
+  }
+  void circle(float x, float y, float radius) const {
+    list.AddCircle(at(x, y), radius * grid, colour, 0, width());
+  }
+  /// Angles in turns, 0 to the right, growing clockwise on the screen.
+  void arc(float x, float y, float radius, float from, float to) const {
+    list.PathArcTo(at(x, y), radius * grid, from * 2.0F * kPi, to * 2.0F * kPi);
+    list.PathStroke(colour, ImDrawFlags_None, width());
+  }
+  void triangle(ImVec2 a, ImVec2 b, ImVec2 c) const {
+    list.AddTriangleFilled(at(a.x, a.y), at(b.x, b.y), at(c.x, c.y), colour);
+  }
+};
+
+void bent_arrow(const Pen& pen, float side) {
+  pen.stroke({{-6.0F * side, -2.5F},
+              {3.0F * side, -2.5F},
+              {5.6F * side, -1.4F},
+              {6.8F * side, 1.2F},
+              {5.6F * side, 3.9F},
+              {3.0F * side, 5.0F},
+              {-1.0F * side, 5.0F}});
+  pen.stroke({{-2.6F * side, -6.2F}, {-6.4F * side, -2.5F}, {-2.6F * side, 1.2F}});
+}
+
+void orbit(const Pen& pen) {
+  pen.circle(0.0F, 0.0F, 2.4F);
+  for (int i = 0; i <= 28; ++i) {
+    const float t = (-0.14F + 0.86F * static_cast<float>(i) / 28.0F) * 2.0F * kPi;
+    const float x = 8.2F * std::cos(t);
+    const float y = 3.6F * std::sin(t);
+    pen.list.PathLineTo(pen.at(0.94F * x + 0.34F * y, -0.34F * x + 0.94F * y));
+  }
+  pen.list.PathStroke(pen.colour, ImDrawFlags_None, pen.width());
+  pen.triangle({4.2F, -8.6F}, {5.6F, -3.6F}, {0.6F, -5.0F});
+}
+
+void dropper(const Pen& pen) {
+  pen.stroke({{-6.6F, 6.6F}, {-5.9F, 3.6F}, {1.3F, -3.6F}, {3.6F, -1.3F}, {-3.6F, 5.9F}}, true);
+  pen.stroke({{-0.6F, -5.0F}, {5.0F, 0.6F}});
+  pen.stroke({{2.4F, -2.4F}, {4.6F, -6.2F}, {6.2F, -6.2F}, {6.2F, -4.6F}}, true);
+}
+
+void frame(const Pen& pen) {
+  for (const float x : {-1.0F, 1.0F}) {
+    for (const float y : {-1.0F, 1.0F}) {
+      pen.stroke({{3.4F * x, 6.8F * y}, {6.8F * x, 6.8F * y}, {6.8F * x, 3.4F * y}});
+    }
+  }
+  pen.circle(0.0F, 0.0F, 2.2F);
+}
+
+}  // namespace
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
+  const Pen pen{list, centre, size / 20.0F, colour};
+  switch (icon) {
+    case Icon::kRing:
+      pen.circle(0.0F, 0.0F, 7.0F);
+      break;
+    case Icon::kRingPlus:
+      pen.circle(0.0F, 0.0F, 7.4F);
+      pen.stroke({{-3.4F, 0.0F}, {3.4F, 0.0F}});
+      pen.stroke({{0.0F, -3.4F}, {0.0F, 3.4F}});
+      break;
+    case Icon::kRingMinus:
+      pen.circle(0.0F, 0.0F, 7.4F);
+      pen.stroke({{-3.4F, 0.0F}, {3.4F, 0.0F}});
+      break;
+    case Icon::kDropper:
+      dropper(pen);
+      break;
+    case Icon::kOrbit:
+      orbit(pen);
+      break;
+    case Icon::kUndo:
+      bent_arrow(pen, 1.0F);
+      break;
+    case Icon::kRedo:
+      bent_arrow(pen, -1.0F);
+      break;
+    case Icon::kFrame:
+      frame(pen);
+      break;
+    case Icon::kQuestion:
+      pen.arc(0.0F, -2.8F, 3.4F, 0.48F, 1.14F);
+      pen.stroke({{2.2F, -0.2F}, {0.0F, 1.6F}, {0.0F, 3.2F}});
+      pen.list.AddCircleFilled(pen.at(0.0F, 6.4F), 1.2F * pen.grid, colour);
+      break;
+    case Icon::kFolder:
+      pen.stroke({{-7.0F, 5.4F},
+                  {-7.0F, -5.0F},
+                  {-2.0F, -5.0F},
+                  {0.0F, -3.0F},
+                  {7.0F, -3.0F},
+                  {7.0F, 5.4F}},
+                 true);
+      break;
+    case Icon::kFile:
+      pen.stroke({{-5.0F, -7.0F}, {1.6F, -7.0F}, {5.0F, -3.6F}, {5.0F, 7.0F}, {-5.0F, 7.0F}}, true);
+      break;
+    case Icon::kFolderUp:
+      pen.stroke({{0.0F, 6.0F}, {0.0F, -6.0F}});
+      pen.stroke({{-4.6F, -1.4F}, {0.0F, -6.0F}, {4.6F, -1.4F}});
+      break;
+  }
+}
+
+}  // namespace limn::ui

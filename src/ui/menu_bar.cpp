@@ -1,0 +1,166 @@
+// The menus hold every action once more, by subject; at the right end stands what is open.
+
+#include <algorithm>
+#include <array>
+
+#include "limn/document/document.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace limn::ui {
+namespace {
+
+using enum ActionId;
+
+bool begin_menu(PanelContext& context, const char* title) {
+  const bool is_open = ImGui::BeginMenu(title);
+  remember(context, std::string("menu: ") + title);
+  return is_open;
+}
+
+void items(PanelContext& context, std::initializer_list<ActionId> ids) {
+  for (const ActionId id : ids) {
+    action_menu_item(context, id);
+  }
+}
+
+void file_menu(PanelContext& context) {
+  if (!begin_menu(context, "File")) {
+    return;
+  }
+  items(context, {kOpen});
+  if (begin_menu(context, "Open bundled mesh")) {
+    for (const std::string& name : context.model.bundled_meshes) {
+      action_menu_item(context, Action(kOpenBundled, name), name);
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::BeginDisabled(context.model.recent_files.empty());
+  if (begin_menu(context, "Open recent")) {
+    for (const std::string& path : context.model.recent_files) {
+      action_menu_item(context, Action(kOpen, path), path);
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::EndDisabled();
+  ImGui::Separator();
+  items(context, {kSaveProject, kSaveProjectAs, kExportRefined, kScreenshot});
+  ImGui::Separator();
+  items(context, {kQuit});
+  ImGui::EndMenu();
+}
+
+void edit_menu(PanelContext& context) {
+  if (!begin_menu(context, "Edit")) {
+    return;
+  }
+  const HistoryStatus& history = context.model.history;
+  const auto with_name = [](const char* verb, const std::string& name) {
+    return name.empty() ? std::string(verb) : verb + (": " + name);
+  };
+  action_menu_item(context, kUndo, with_name("Undo", history.undo_name));
+  action_menu_item(context, kRedo, with_name("Redo", history.redo_name));
+  items(context, {kRevert});
+  ImGui::Separator();
+  items(context, {kRaiseAll, kLowerAll, kZeroAll, kRaiseVisible, kRaiseDihedral});
+  ImGui::Separator();
+  items(context, {kToolPaint, kToolLower, kToolPick, kToolOrbit});
+  ImGui::Separator();
+  items(context, {kBrushAdds, kBrushSets, kPickDepth, kBrushBigger, kBrushSmaller});
+  ImGui::EndMenu();
+}
+
+void view_menu(PanelContext& context) {
+  if (!begin_menu(context, "View")) {
+    return;
+  }
+  items(context, {kShowControl, kShowRefined, kShowBoth});
+  ImGui::Separator();
+  items(context,
+        {kToggleWireframe, kToggleSmooth, kToggleLight, kToggleLabels, kToggleIllegalMarks});
+  ImGui::Separator();
+  items(context, {kFrameAll, kFramePainted, kFrameHovered, kZoomIn, kZoomOut});
+  ImGui::Separator();
+  items(context, {kViewFront, kViewBack, kViewLeft, kViewRight, kViewTop, kViewBottom, kViewIso,
+                  kToggleOrthographic});
+  ImGui::Separator();
+  items(context, {kThemeDark, kThemeLight});
+  ImGui::EndMenu();
+}
+
+void mesh_menu(PanelContext& context) {
+  if (!begin_menu(context, "Mesh")) {
+    return;
+  }
+  items(context, {kSubdivide, kSubdivideOneLevel, kBackToControl, kRemoveIllegal});
+  ImGui::Separator();
+  if (begin_menu(context, "Faces that are not quads")) {
+    items(context, {kNonQuadsUniformFirstStep, kNonQuadsWherePainted});
+    ImGui::EndMenu();
+  }
+  if (begin_menu(context, "Boundary corners")) {
+    items(context, {kCornersSharp, kCornersSmooth});
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  items(context, {kApply, kRevert});
+  ImGui::EndMenu();
+}
+
+void help_menu(PanelContext& context) {
+  if (!begin_menu(context, "Help")) {
+    return;
+  }
+  items(context, {kHelp});
+  ImGui::Separator();
+  items(context, {kKeymapOriginal, kKeymapClassroom});
+  ImGui::EndMenu();
+}
+
+/// The name of the document, with a dot in the accent colour while it has unsaved changes.
+void document_name(PanelContext& context) {
+  const float padding = context.px(16);
+  const float available = room() - padding - context.px(40);
+  if (available < context.px(40)) {
+    return;
+  }
+  ImGui::PushFont(context.fonts.body_strong);
+  const std::string name = fit_text(context.model.document.name, available);
+  const float width = ImGui::CalcTextSize(name.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - padding - width);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::TextUnformatted(name.c_str());
+  ImGui::PopFont();
+  if (context.model.is_modified) {
+    const ImVec2 centre{at.x - context.px(12), at.y + ImGui::GetFrameHeight() / 2.0F};
+    ImGui::GetWindowDrawList()->AddCircleFilled(centre, context.px(4), context.colours.accent);
+  }
+  explain(context, "Open document",
+          context.model.is_modified ? "It has changes that are not saved yet." : "All is saved.");
+}
+
+}  // namespace
+
+float draw_menu_bar(PanelContext& context) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.px(10), context.px(7)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(10), context.px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(10), context.px(7)});
+  float height = 0.0F;
+  if (ImGui::BeginMainMenuBar()) {
+    height = ImGui::GetWindowHeight();
+    file_menu(context);
+    edit_menu(context);
+    view_menu(context);
+    mesh_menu(context);
+    help_menu(context);
+    document_name(context);
+    const float y = height - 0.5F;
+    ImGui::GetWindowDrawList()->AddLine({0.0F, y}, {ImGui::GetWindowWidth(), y},
+                                        context.colours.hairline, 1.0F);
+    ImGui::EndMainMenuBar();
+  }
+  ImGui::PopStyleVar(3);
+  return height;
+}
+
+}  // namespace limn::ui

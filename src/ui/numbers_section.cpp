@@ -1,0 +1,88 @@
+// Figures in two columns: what, and how many.
+
+#include <string>
+
+#include "limn/mesh/statistics.h"
+#include "limn/subdivision/crack_check.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace limn::ui {
+namespace {
+
+constexpr const char* kNothing = "–";
+
+std::size_t faces_with(const MeshStatistics& statistics, std::size_t sides) {
+  const auto found = statistics.faces_by_sides.find(sides);
+  return found == statistics.faces_by_sides.end() ? 0 : found->second;
+}
+
+void control_rows(PanelContext& context) {
+  const MeshStatistics& s = context.model.statistics;
+  const std::size_t triangles = faces_with(s, 3);
+  const std::size_t quads = faces_with(s, 4);
+  value_row(context, {"Vertices", grouped(s.vertices), "Vertices of the control mesh."});
+  value_row(context, {"Edges", grouped(s.edges), "Edges of the control mesh."});
+  value_row(context, {"Faces", grouped(s.faces), "Faces of the control mesh."});
+  value_row(context, {"Triangles, quads, others",
+                      grouped(triangles) + " · " + grouped(quads) + " · " +
+                          grouped(s.faces - triangles - quads),
+                      "Faces of the control mesh by their number of sides."});
+  value_row(context, {"Boundary edges", grouped(s.boundary_edges),
+                      "Edges with one face only, where the surface ends."});
+  value_row(context, {"Euler characteristic", grouped(s.euler_characteristic),
+                      "Vertices - edges + faces: 2 for a surface like a ball, 0 like a ring."});
+}
+
+void refined_rows(PanelContext& context) {
+  const std::optional<RefinementResult>& result = context.model.refinement.result;
+  const auto row = [&](std::string_view label, std::string_view meaning, auto&& value) {
+    value_row(context, {label, result ? value(*result) : std::string(kNothing), meaning});
+  };
+  row("Vertices", "Vertices of the refined mesh.",
+      [](const RefinementResult& r) { return grouped(r.vertices); });
+  row("Faces", "Faces of the refined mesh.",
+      [](const RefinementResult& r) { return grouped(r.faces); });
+  row("Uniform at this depth", "Faces of uniform subdivision to the same greatest level.",
+      [](const RefinementResult& r) { return grouped(r.uniform_faces); });
+  row("Saved", "The part of the uniform faces that is not needed.", [](const RefinementResult& r) {
+    return percent_text(static_cast<double>(r.uniform_faces) - static_cast<double>(r.faces),
+                        static_cast<double>(r.uniform_faces));
+  });
+  row("Levels", "Subdivision steps made.",
+      [](const RefinementResult& r) { return std::to_string(r.levels); });
+
+  const CrackCheck* cracks = result ? result->cracks : nullptr;
+  const bool is_cracked = cracks != nullptr && !cracks->is_watertight();
+  const std::string verdict =
+      cracks == nullptr ? kNothing
+                        : (is_cracked ? counted(cracks->crack_faces.size(), "face") : "none");
+  value_row(context, {"Cracks", verdict,
+                      "Faces beside a hole or a T-junction that the control mesh does not have. "
+                      "Checked edge by edge after every refinement.",
+                      is_cracked});
+  row("Memory", "Of the refined mesh.",
+      [](const RefinementResult& r) { return bytes_text(r.bytes); });
+  row("Time", "To find the labels, and to refine.", [](const RefinementResult& r) {
+    return seconds_text(r.legalise_seconds) + " + " + seconds_text(r.refine_seconds);
+  });
+}
+
+}  // namespace
+
+void draw_numbers_section(PanelContext& context) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), context.px(1)});
+  sub_heading(context, "Control mesh");
+  control_rows(context);
+  sub_heading(context, "Refined mesh");
+  refined_rows(context);
+  sub_heading(context, "Program");
+  value_row(context, {"Frame", seconds_text(context.model.frame_seconds),
+                      "Time between the last two pictures."});
+  value_row(context, {"Undo memory", bytes_text(context.model.history.bytes),
+                      "What the history of changes keeps."});
+  ImGui::PopStyleVar();
+}
+
+}  // namespace limn::ui

@@ -1,0 +1,96 @@
+// What the brush does, then what can be done to many faces at once.
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "limn/subdivision/settings.h"
+#include "ui/action_table.h"
+#include "ui/availability.h"
+#include "ui/format.h"
+#include "ui/keymap.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace limn::ui {
+namespace {
+
+/// A row of swatches, one a depth. Pressing one also makes the brush set depths, since that is
+/// what a target depth is for.
+void target_depth_row(PanelContext& context) {
+  const BrushSettings& brush = context.model.brush;
+  const float gap = context.px(3);
+  constexpr int kCount = kMaxDepth + 1;
+  const float pitch = (room() + gap) / static_cast<float>(kCount);
+  const float height = context.px(28);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushFont(context.fonts.small);
+  for (int depth = 0; depth < kCount; ++depth) {
+    const Action action(ActionId::kSetTargetDepth, depth);
+    const ImVec2 low{std::floor(origin.x + pitch * static_cast<float>(depth)), origin.y};
+    const ImVec2 high{std::floor(origin.x + pitch * static_cast<float>(depth + 1) - gap),
+                      origin.y + height};
+    ImGui::SetCursorScreenPos(low);
+    ImGui::PushID(depth);
+    const bool is_pressed = ImGui::InvisibleButton("##depth", {high.x - low.x, height});
+    ImGui::PopID();
+    const bool is_target = is_checked(context.model, action);
+    const float strength = brush.sets_depth || ImGui::IsItemHovered() ? 1.0F : 0.55F;
+    list.AddRectFilled(low, high, faded(depth_colour(depth), strength), context.px(4));
+    if (is_target) {
+      const float inset = context.px(1);
+      list.AddRect({low.x - inset, low.y - inset}, {high.x + inset, high.y + inset},
+                   context.colours.accent, context.px(5), 0, context.px(2.5F));
+    }
+    const std::string digit = std::to_string(depth);
+    const ImVec2 size = ImGui::CalcTextSize(digit.c_str());
+    list.AddText({std::floor((low.x + high.x - size.x) / 2.0F),
+                  std::floor((low.y + high.y - size.y) / 2.0F)},
+                 text_on_depth(depth), digit.c_str());
+    ImGui::PushFont(context.fonts.body);
+    explain(context, "Depth " + digit,
+            "The brush sets this depth: each face becomes up to " +
+                grouped(std::uint64_t{1} << (2U * static_cast<unsigned>(depth))) +
+                (depth == 0 ? " face." : " faces."),
+            all_keys_text(context.model.keymap, action));
+    ImGui::PopFont();
+    remember(context, "depth " + digit);
+    if (is_pressed) {
+      context.emit(action);
+      if (!brush.sets_depth) {
+        context.emit(ActionId::kBrushSets);
+      }
+    }
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void draw_paint_section(PanelContext& context) {
+  using enum ActionId;
+  action_choice(context, std::array<Action, 2>{kBrushAdds, kBrushSets});
+  target_depth_row(context);
+  action_slider(context, kSetBrushRadius, context.model.brush.radius,
+                {.label = "Brush radius",
+                 .format = "%.0f px",
+                 .low = kMinBrushRadius,
+                 .high = kMaxBrushRadius,
+                 .is_logarithmic = true});
+
+  sub_heading(context, "Whole mesh");
+  action_row(context, std::array<Action, 3>{kRaiseAll, kLowerAll, kZeroAll});
+  action_button(context, kRaiseVisible);
+
+  sub_heading(context, "Sharp places");
+  action_slider(context, kSetDihedralThreshold, context.model.dihedral_threshold,
+                {.label = "Bent by over", .format = "%.0f°", .low = 0.0, .high = 180.0});
+  const std::string label = context.model.dihedral_faces
+                                ? std::string(info(kRaiseDihedral).label) + " (" +
+                                      counted(*context.model.dihedral_faces, "face") + ")"
+                                : std::string(info(kRaiseDihedral).label);
+  action_button(context, kRaiseDihedral, {.label = label});
+}
+
+}  // namespace limn::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/panel_context.h"
+
+/// The parts of the window, one file each. Those without a return value draw into a window of
+/// their own at the place given.
+namespace limn::ui {
+
+/// Returns its height in window units.
+float draw_menu_bar(PanelContext& context);
+void draw_tool_strip(PanelContext& context, const WindowRect& place);
+void draw_side_panel(PanelContext& context, const WindowRect& place);
+void draw_status_line(PanelContext& context, const WindowRect& place, const ViewportInput& input);
+void draw_overlays(PanelContext& context, const WindowRect& viewport);
+/// Dialogs, help sheet and path prompt: whatever Model::modal holds.
+void draw_modal(PanelContext& context, WindowSize window);
+
+/// Sections of the side panel.
+void draw_paint_section(PanelContext& context);
+void draw_subdivide_section(PanelContext& context);
+void draw_display_section(PanelContext& context);
+void draw_numbers_section(PanelContext& context);
+
+/// Contents of dialogs, within the modal window.
+void draw_help_sheet(PanelContext& context);
+void draw_path_prompt(PanelContext& context, const PathPrompt& prompt);
+
+/// What the mouse does now in the viewport: "Left drag: depth +1 · Shift: depth −1 · ...".
+[[nodiscard]] std::string mouse_hint(const Model& model, const ViewportInput& input);
+
+/// The legend: a swatch, a depth and a count per line. Returns its size in window units.
+struct LegendLook {
+  const Fonts& fonts;
+  const ThemeColours& colours;
+  float unit;
+};
+[[nodiscard]] WindowSize legend_size(const LegendLook& look);
+void draw_legend(ImDrawList& list, const LegendLook& look, const DepthCounts& counts,
+                 ImVec2 origin);
+
+}  // namespace limn::ui

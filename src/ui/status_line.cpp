@@ -1,0 +1,114 @@
+// Left: what the mouse will do now, which follows the tool and the keys held. Right: the face under
+// the cursor, and how many faces the mesh costs against uniform subdivision.
+
+#include <cmath>
+#include <string>
+
+#include "limn/subdivision/prediction.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace limn::ui {
+namespace {
+
+std::string tool_hint(const Model& model) {
+  const BrushSettings& brush = model.brush;
+  switch (brush.tool) {
+    case Tool::kPaint:
+      return (brush.sets_depth ? "Left drag: set depth " + std::to_string(brush.target_depth)
+                               : std::string("Left drag: depth +1")) +
+             " · Shift: −1";
+    case Tool::kLower:
+      return "Left drag: depth −1";
+    case Tool::kPick:
+      return "Click: pick the depth of this face";
+    case Tool::kOrbit:
+      return "Left drag: orbit";
+  }
+  return {};
+}
+
+std::string drag_hint(const Model& model) {
+  if (model.is_stroking) {
+    return "Painting: each face changes once a stroke · Release: done · Esc: give it up";
+  }
+  return "Moving the view";
+}
+
+void draw_right(const PanelContext& context, float y, float& right) {
+  const Model& model = context.model;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto put = [&](const std::string& text, ImU32 colour) {
+    right -= ImGui::CalcTextSize(text.c_str()).x;
+    list.AddText({std::floor(right), y}, colour, text.c_str());
+    right -= context.px(20);
+  };
+  const RefinementStatus& refinement = model.refinement;
+  if (refinement.result) {
+    put(counted(refinement.result->faces, "face") + ", " +
+            percent_text(static_cast<double>(refinement.result->faces),
+                         static_cast<double>(refinement.result->uniform_faces)) +
+            " of uniform",
+        context.colours.text);
+  } else if (refinement.prediction != nullptr) {
+    put(counted(refinement.prediction->faces, "face") + " to come, " +
+            percent_text(static_cast<double>(refinement.prediction->faces),
+                         static_cast<double>(refinement.prediction->uniform_faces)) +
+            " of uniform",
+        context.colours.text);
+  }
+  if (model.hover && right > static_cast<float>(context.px(560))) {
+    put("Face " + grouped(model.hover->face) + ", depth " + std::to_string(model.hover->depth),
+        context.colours.dim_text);
+  }
+}
+
+}  // namespace
+
+std::string mouse_hint(const Model& model, const ViewportInput& input) {
+  if (input.owns_drag) {
+    return drag_hint(model);
+  }
+  const Modifiers& held = input.modifiers;
+  if (held.alt) {
+    return "Alt + left drag: orbit · Middle: pan · Right: zoom";
+  }
+  const bool is_brush = model.brush.tool == Tool::kPaint || model.brush.tool == Tool::kLower;
+  if (held.ctrl && is_brush) {
+    return "Ctrl + left drag: depth −1 · Ctrl + wheel: brush size";
+  }
+  if (held.shift && is_brush) {
+    return "Shift + left drag: depth −1 · Shift + middle drag: pan";
+  }
+  return tool_hint(model) + " · Alt or middle drag: orbit · Wheel: zoom";
+}
+
+void draw_status_line(PanelContext& context, const WindowRect& place, const ViewportInput& input) {
+  const ImVec2 origin{static_cast<float>(place.origin.x), static_cast<float>(place.origin.y)};
+  const auto width = static_cast<float>(place.size.width);
+  const auto height = static_cast<float>(place.size.height);
+  ImGui::SetNextWindowPos(origin);
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, context.colours.chrome);
+  ImGui::Begin("##status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine({origin.x, origin.y + 0.5F}, {origin.x + width, origin.y + 0.5F},
+               context.colours.hairline, 1.0F);
+  ImGui::PushFont(context.fonts.small);
+  const float y = std::floor(origin.y + (height - ImGui::GetFontSize()) / 2.0F);
+  const float pad = context.px(12);
+  float right = origin.x + width - pad;
+  draw_right(context, y, right);
+  const bool is_over_control = !context.hint.empty() && !input.owns_drag;
+  const std::string hint = fit_text(
+      is_over_control ? context.hint : mouse_hint(context.model, input), right - origin.x - pad);
+  list.AddText({origin.x + pad, y}, context.colours.dim_text, hint.c_str());
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace limn::ui

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ui/icons.h"
+#include "ui/panel_context.h"
+
+/// The few kinds of control that Limn's panels are made of. Those that take an action show its
+/// label, dim themselves where it is not available, explain it in a tooltip that names its keys,
+/// and emit it.
+namespace limn::ui {
+
+struct ButtonLook {
+  std::string_view label = {};  ///< In place of the action's own.
+  float width = 0.0F;           ///< Window units; 0: as wide as there is room.
+  bool is_primary = false;      ///< In the accent colour: the one thing to do here.
+};
+/// True when pressed.
+bool action_button(PanelContext& context, const Action& action, const ButtonLook& look = {});
+
+/// A button of the primary look that emits nothing; true when pressed.
+[[nodiscard]] bool plain_button(PanelContext& context, std::string_view label, float width,
+                                bool is_enabled);
+
+/// A square button with an icon, marked where the action is checked.
+bool icon_button(PanelContext& context, const Action& action, Icon icon, float side);
+
+/// A row of buttons of equal width.
+void action_row(PanelContext& context, std::span<const Action> actions);
+
+/// A check box with its label, `width` wide.
+void action_toggle(PanelContext& context, const Action& action, float width);
+
+/// One choice out of several, side by side.
+void action_choice(PanelContext& context, std::span<const Action> choices);
+
+/// A menu entry with its key.
+void action_menu_item(PanelContext& context, const Action& action, std::string_view label = {});
+
+struct SliderLook {
+  std::string_view label;       ///< Before the slider.
+  const char* format = "%.0f";  ///< printf, one double.
+  double low = 0.0;
+  double high = 1.0;
+  bool is_logarithmic = false;
+};
+/// Emits `id` with the new value while it is dragged.
+void action_slider(PanelContext& context, ActionId id, double value, const SliderLook& look);
+
+/// A heading that folds what is below it; true where that is to be drawn.
+[[nodiscard]] bool begin_section(PanelContext& context, const char* title, bool& is_open);
+
+/// A dim heading within a section.
+void sub_heading(PanelContext& context, std::string_view text);
+
+struct ValueRow {
+  std::string_view label;
+  std::string value;         ///< Right-aligned.
+  std::string_view meaning;  ///< Tooltip.
+  bool is_problem = false;
+};
+/// A label and its figure on one line. Always as high, whatever the value.
+void value_row(PanelContext& context, const ValueRow& row);
+
+/// Text on one line, cut with an ellipsis where it does not fit into `width`.
+[[nodiscard]] std::string fit_text(std::string_view text, float width);
+
+/// Tooltip and status hint of the item drawn last.
+void explain(PanelContext& context, const Action& action);
+void explain(PanelContext& context, std::string_view title, std::string_view text,
+             std::string_view keys = {});
+
+/// Remembers where the item drawn last is.
+void remember(PanelContext& context, std::string_view name);
+
+/// The width that is left in the line.
+[[nodiscard]] float room();
+
+}  // namespace limn::ui
