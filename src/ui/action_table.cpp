@@ -73,10 +73,10 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kApply, kRefine, kNothing, "Apply",
      "Make the refined mesh the new control mesh, unpainted. From then on it is a mesh of its own "
      "with another limit surface. Can be undone."},
-    {kNonQuadsUniformFirstStep, kRefine, kNothing, "Split everything once",
+    {kNonQuadsUniformFirstStep, kRefine, kNothing, "Split all once",
      "On a mesh with faces that are not quads, the first level splits every face, so that only "
      "quads are left. This is the published rule."},
-    {kNonQuadsWherePainted, kRefine, kNothing, "Split where painted",
+    {kNonQuadsWherePainted, kRefine, kNothing, "Where painted",
      "Faces that are not quads are split only where the painting reaches them; the others stay as "
      "they are. Gives fewer faces."},
     {kCornersSharp, kRefine, kNothing, "Stay",

@@ -72,7 +72,7 @@ void draw_help_sheet(PanelContext& context) {
                                      : "Keys and mouse: classroom keys");
   ImGui::PopFont();
 
-  const float foot = context.px(30) + 2.0F * ImGui::GetStyle().ItemSpacing.y;
+  const float foot = context.px(28) + 2.0F * ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("##help", {0.0F, ImGui::GetContentRegionAvail().y - foot});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), context.px(2)});
   const bool is_wide = room() > context.px(640);

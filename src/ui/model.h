@@ -168,25 +168,25 @@ struct Model {
   const MeshStatistics& statistics;  ///< Of the control mesh.
   bool is_modified = false;
 
-  DisplaySettings display;
-  BrushSettings brush;
+  DisplaySettings display{};
+  BrushSettings brush{};
   KeymapId keymap = KeymapId::kOriginal;
-  ViewState view;
+  ViewState view{};
 
   DepthCounts depth_counts{};
-  double dihedral_threshold = 30.0;           ///< Degrees.
-  std::optional<std::size_t> dihedral_faces;  ///< Faces over the threshold, if counted.
+  double dihedral_threshold = 30.0;             ///< Degrees.
+  std::optional<std::size_t> dihedral_faces{};  ///< Faces over the threshold, if counted.
 
-  RefinementStatus refinement;
-  HistoryStatus history;
-  std::optional<HoverInfo> hover;
+  RefinementStatus refinement{};
+  HistoryStatus history{};
+  std::optional<HoverInfo> hover{};
   bool is_stroking = false;  ///< A brush stroke is going on.
   double frame_seconds = 0.0;
 
-  std::span<const std::string> bundled_meshes;
-  std::span<const std::string> recent_files;  ///< Paths, newest first.
-  std::span<const Toast> toasts;
-  Modal modal;
+  std::span<const std::string> bundled_meshes{};
+  std::span<const std::string> recent_files{};  ///< Paths, newest first.
+  std::span<const Toast> toasts{};
+  Modal modal{};
 };
 
 }  // namespace limn::ui

@@ -194,7 +194,7 @@ void draw_path_prompt(PanelContext& context, const PathPrompt& prompt) {
   ImGui::PopFont();
   folder_row(context, prompt);
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
-  const float foot = ImGui::GetFrameHeight() + context.px(30) + 2.0F * spacing;
+  const float foot = ImGui::GetFrameHeight() + context.px(28) + 2.0F * spacing;
   entry_list(context, prompt, ImGui::GetContentRegionAvail().y - foot);
   name_row(context, prompt);
   buttons(context, prompt);

@@ -20,7 +20,7 @@ using enum ActionId;
 void progress(PanelContext& context, const RunningRefinement& running) {
   const ThemeColours& c = context.colours;
   const float width = room();
-  const float height = context.px(30);
+  const float height = context.px(28);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high{low.x + width, low.y + height};
   ImGui::Dummy({width, height});
