@@ -18,7 +18,7 @@ constexpr double kSmallestDistance = 1e-12;
 constexpr double kSmallestFov = 1.0;
 constexpr double kLargestFov = 150.0;
 /// Nearest near plane, as a part of the orbit's distance.
-constexpr double kNearFraction = 1e-3;
+constexpr double kNearFraction = 5e-3;
 /// Room around the scene, as a part of its diagonal.
 constexpr double kSceneRoom = 0.01;
 

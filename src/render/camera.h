@@ -51,8 +51,8 @@ struct ProjectedPoint {
 /// The one place that turns a view into matrices.
 ///
 /// Near and far planes follow `scene`: they enclose it with a little room, and in perspective the
-/// near plane stays in front of the eye by at least a thousandth of the orbit's distance, so that
-/// a mesh of millimetres and one of kilometres both keep their depth resolution. Out-of-range
+/// near plane stays in front of the eye by at least a two-hundredth of the orbit's distance, so
+/// that a mesh of millimetres and one of kilometres both keep their depth resolution. Out-of-range
 /// values of a view are taken as the nearest usable ones: pitch -90..90, field of view 1..150
 /// degrees, distance not below 1e-12. An empty size is treated as square.
 /// Expects finite numbers.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 namespace limn::render {
 
@@ -38,6 +39,20 @@ struct FramebufferSize {
     return is_empty() ? 1.0 : static_cast<double>(width) / static_cast<double>(height);
   }
   [[nodiscard]] bool operator==(const FramebufferSize&) const = default;
+};
+
+/// Whole pixels: columns x .. x + width - 1, rows y .. y + height - 1 from the top.
+struct PixelRect {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  [[nodiscard]] bool is_empty() const noexcept { return width <= 0 || height <= 0; }
+  [[nodiscard]] std::size_t area() const noexcept {
+    return is_empty() ? 0 : static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  [[nodiscard]] bool operator==(const PixelRect&) const = default;
 };
 
 /// Pixels per window unit. An empty window has 1.

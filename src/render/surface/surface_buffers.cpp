@@ -88,6 +88,7 @@ Result<void> SurfaceBuffers::upload(const Surface& surface, std::uint64_t revisi
   faces_.upload(faces);
   edges_.upload(surface.edges);
   commands_.upload(commands);
+  face_control_faces_ = surface.face_control_faces;
   group_count_ = static_cast<int>(commands.size());
   origin_ = surface.origin;
   face_count_ = surface.face_count();

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -28,11 +30,21 @@ class SurfaceBuffers {
   /// Whether the last upload was of this revision.
   [[nodiscard]] bool has(std::uint64_t revision) const noexcept { return revision_ == revision; }
 
+  /// The revision of the last upload; 0 before the first.
+  [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
+
   /// Binds slots 0-3 and 5 of surface.glsl and draws all faces with the program in use.
   void draw() const;
   /// Binds slots 0 and 8 and draws all edges of a control surface, six vertices each, for shaders
   /// that widen lines (edges.vert.glsl).
   void draw_edges() const;
+
+  /// Binds slot 3 of surface.glsl alone: which control face each drawn face lies in.
+  void bind_face_records() const { faces_.bind_storage(3); }
+  /// The same on the CPU, one entry for each drawn face.
+  [[nodiscard]] std::span<const std::uint32_t> face_control_faces() const noexcept {
+    return face_control_faces_;
+  }
 
   /// What positions are relative to; see clip_from_local.
   [[nodiscard]] const glm::dvec3& origin() const noexcept { return origin_; }
@@ -49,6 +61,7 @@ class SurfaceBuffers {
   gl::Buffer faces_;
   gl::Buffer edges_;
   gl::Buffer commands_;
+  std::vector<std::uint32_t> face_control_faces_;
   int group_count_ = 0;
   glm::dvec3 origin_{0.0};
   std::size_t face_count_ = 0;

@@ -1,0 +1,135 @@
+#include "render/picking/face_picker.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+
+#include "render/shader_library.h"
+
+namespace limn::render {
+namespace {
+
+constexpr std::size_t kBits = 32;
+// As in shaders/visible_faces.comp.glsl.
+constexpr unsigned kGroupWidth = 32;
+constexpr unsigned kGroupHeight = 4;
+constexpr GLuint kVisibleSlot = 9;
+
+unsigned groups_over(int pixels, unsigned group) {
+  return (static_cast<unsigned>(pixels) + group - 1) / group;
+}
+
+}  // namespace
+
+FacePicker::FacePicker()
+    : draw_ids_(load_program("face_id.vert.glsl", "face_id.frag.glsl")),
+      gather_visible_(load_compute_program("visible_faces.comp.glsl")),
+      visible_bits_(gl::Buffer::create("visible faces")) {}
+
+bool FacePicker::update(const PickScene& scene) {
+  const Key key{&scene.surface, scene.surface.revision(),
+                clip_from_local(scene.camera, scene.surface.origin()), scene.camera.size};
+  const bool is_something = !key.size.is_empty() && scene.surface.face_count() > 0;
+  if (key == key_) {
+    return is_something;
+  }
+  image_.resize(key.size);
+  if (is_something) {
+    image_.begin();
+    draw_ids_.use();
+    draw_ids_.set(0, key.clip_from_local);
+    scene.surface.draw();
+    ++draw_count_;
+  }
+  key_ = key;
+  return is_something;
+}
+
+std::optional<PickedFace> FacePicker::pick(const PickScene& scene, FramebufferPoint point) {
+  const FramebufferSize size = scene.camera.size;
+  const bool is_inside =
+      point.x >= 0.0 && point.y >= 0.0 && point.x < size.width && point.y < size.height;
+  if (!is_inside || !update(scene)) {
+    return std::nullopt;
+  }
+  const int x = static_cast<int>(point.x);
+  const int y = static_cast<int>(point.y);
+  std::uint32_t id = 0;
+  image_.read({x, y, 1, 1}, std::span(&id, 1));
+  if (id == 0) {
+    return std::nullopt;
+  }
+  PickedFace picked;
+  picked.drawn_face = id - 1;
+  picked.control_face = scene.surface.face_control_faces()[picked.drawn_face];
+  picked.view_depth = view_depth_from_buffer(scene.camera, image_.read_depth(x, y));
+  picked.position = world_at(scene.camera, point, picked.view_depth);
+  return picked;
+}
+
+std::vector<std::uint32_t> FacePicker::brush(const PickScene& scene, const BrushCapsule& capsule) {
+  std::vector<std::uint32_t> met;
+  const PixelRect rect = pixel_rect(capsule, scene.camera.size);
+  if (rect.is_empty() || !update(scene)) {
+    return met;
+  }
+  pixels_.resize(rect.area());
+  image_.read(rect, pixels_);
+
+  const auto control_faces = scene.surface.face_control_faces();
+  if (last_met_.size() != scene.surface.control_face_count() || ++brush_count_ == 0) {
+    last_met_.assign(scene.surface.control_face_count(), 0);
+    brush_count_ = 1;
+  }
+  for (int row = 0; row < rect.height; ++row) {
+    const PixelSpan span = covered_span(capsule, rect.y + row);
+    const int first = std::max(span.first - rect.x, 0);
+    const int last = std::min(span.last - rect.x, rect.width);
+    const std::uint32_t* ids =
+        pixels_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(rect.width);
+    std::uint32_t previous = 0;
+    for (int column = first; column < last; ++column) {
+      const std::uint32_t id = ids[column];
+      if (id == previous || id == 0) {
+        continue;
+      }
+      previous = id;
+      const std::uint32_t face = control_faces[id - 1];
+      if (last_met_[face] != brush_count_) {
+        last_met_[face] = brush_count_;
+        met.push_back(face);
+      }
+    }
+  }
+  return met;
+}
+
+std::vector<std::uint32_t> FacePicker::visible_faces(const PickScene& scene) {
+  std::vector<std::uint32_t> visible;
+  if (!update(scene)) {
+    return visible;
+  }
+  const std::size_t words = scene.surface.control_face_count() / kBits + 1;
+  visible_bits_.resize(words * sizeof(std::uint32_t));
+  visible_bits_.clear();
+
+  gather_visible_.use();
+  image_.texture().bind(0);
+  scene.surface.bind_face_records();
+  visible_bits_.bind_storage(kVisibleSlot);
+  glDispatchCompute(groups_over(image_.size().width, kGroupWidth),
+                    groups_over(image_.size().height, kGroupHeight), 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+
+  const std::vector<std::uint32_t> bits = visible_bits_.read<std::uint32_t>();
+  for (std::size_t word = 0; word < words; ++word) {
+    for (std::uint32_t rest = bits[word]; rest != 0; rest &= rest - 1) {
+      visible.push_back(static_cast<std::uint32_t>(
+          word * kBits + static_cast<std::size_t>(std::countr_zero(rest))));
+    }
+  }
+  return visible;
+}
+
+}  // namespace limn::render

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/camera.h"
+#include "render/gl/buffer.h"
+#include "render/gl/shader_program.h"
+#include "render/picking/brush_capsule.h"
+#include "render/picking/id_image.h"
+#include "render/surface/surface_buffers.h"
+
+namespace limn::render {
+
+/// What is asked about: a surface (the control mesh or a refined one) as a camera sees it.
+struct PickScene {
+  const SurfaceBuffers& surface;
+  const Camera& camera;
+};
+
+/// The face under a pixel.
+struct PickedFace {
+  std::uint32_t drawn_face = 0;    ///< In the order of the Surface that is drawn.
+  std::uint32_t control_face = 0;  ///< The control face it lies in: what painting changes.
+  double view_depth = 0.0;         ///< See Camera.
+  glm::dvec3 position{0.0};        ///< World, at the place asked for, as deep as its pixel.
+};
+
+/// Tells which faces show where.
+///
+/// Every drawn face writes its number into an image of the framebuffer's size; what the mouse and
+/// the rules ask is answered from that image. It is drawn again only where the surface, its
+/// revision, the camera or the size differ from the last question's, so that moving the mouse over
+/// a still picture draws nothing. The image holds drawn faces, and the surface's own face records
+/// lead from them to control faces: painting on a refined surface paints the control face.
+///
+/// Every member function needs the context of construction to be current, and leaves its own
+/// framebuffer, program and depth test set. All throw EnvironmentError where the driver cannot make
+/// the image.
+class FacePicker {
+ public:
+  FacePicker();
+
+  /// The nearest face at a place of the image; nothing beside the surface or outside the image.
+  [[nodiscard]] std::optional<PickedFace> pick(const PickScene& scene, FramebufferPoint point);
+
+  /// The control faces of which at least one visible pixel lies under the brush, each once, in the
+  /// order of their first pixel from the top left. Reads back only the rectangle around the brush;
+  /// takes time proportional to its pixels.
+  [[nodiscard]] std::vector<std::uint32_t> brush(const PickScene& scene,
+                                                 const BrushCapsule& capsule);
+
+  /// The control faces of which at least one pixel shows, ascending. They are gathered on the GPU,
+  /// from the finished image, so that a face which is drawn first and then covered does not count;
+  /// what is read back is one bit for each control face.
+  [[nodiscard]] std::vector<std::uint32_t> visible_faces(const PickScene& scene);
+
+  /// The numbers themselves, as of the last question: drawn face + 1, 0 where nothing is.
+  [[nodiscard]] const IdImage& image() const noexcept { return image_; }
+  /// How often the image has been drawn.
+  [[nodiscard]] std::uint64_t draw_count() const noexcept { return draw_count_; }
+
+ private:
+  /// What the image shows.
+  struct Key {
+    const SurfaceBuffers* surface = nullptr;
+    std::uint64_t revision = 0;
+    glm::mat4 clip_from_local{0.0F};
+    FramebufferSize size;
+
+    [[nodiscard]] bool operator==(const Key&) const = default;
+  };
+
+  /// Brings the image up to date. False where there is nothing to see.
+  [[nodiscard]] bool update(const PickScene& scene);
+
+  gl::ShaderProgram draw_ids_;
+  gl::ShaderProgram gather_visible_;
+  IdImage image_;
+  gl::Buffer visible_bits_;
+  Key key_;
+  std::uint64_t draw_count_ = 0;
+
+  std::vector<std::uint32_t> pixels_;  ///< The brush's rectangle, kept to save allocations.
+  /// For each control face the number of the last stroke of `brush` that met it.
+  std::vector<std::uint32_t> last_met_;
+  std::uint32_t brush_count_ = 0;
+};
+
+}  // namespace limn::render
