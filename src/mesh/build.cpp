@@ -174,9 +174,9 @@ std::vector<std::string> ImportReport::sentences() const {
                                  counted(isolated_vertices, "vertex was", "vertices were")));
   }
   if (repeated_corners > 0) {
-    result.push_back(fmt::format(
-        "{} the corner before; merged.",
-        counted(repeated_corners, "corner of a face repeated", "corners of faces repeated")));
+    result.push_back(counted(repeated_corners,
+                             "corner of a face repeated the one before and was merged with it.",
+                             "corners of faces repeated the one before and were merged with it."));
   }
   for (const std::string& data : unused_data) {
     result.push_back(fmt::format("Not used: {}.", data));

@@ -1,27 +1,314 @@
 #include "limn/mesh/import.h"
 
+#include <clocale>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mesh/mesh_checks.h"
-#include "support/corpus.h"
+#include "mesh/parse_number.h"
 
 namespace limn {
 namespace {
 
 using test::faces_of;
 using test::faults_of;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-TEST(ImportObj, ReadsQuadAndTriangle) {
-  const auto imported = import_obj(
-      "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 2 0.5 0\nf 1 2 3 4\nf 2/1/1 5//2 3/3\n", "two.obj");
-  ASSERT_TRUE(imported.has_value()) << to_string(imported.error());
+const std::string Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+/// The mesh of a text that must be accepted.
+ImportedMesh read(const std::string& text) {
+  auto imported = import_obj(text, "text.obj");
+  EXPECT_TRUE(imported.has_value()) << to_string(imported.error());
+  if (!imported) {
+    return ImportedMesh{};
+  }
   EXPECT_THAT(faults_of(*imported->mesh), IsEmpty());
-  EXPECT_EQ(faces_of(*imported->mesh), (Faces{{0, 1, 2, 3}, {1, 4, 2}}));
-  EXPECT_EQ(imported->mesh->positions()[2], glm::dvec3(1.0, 1.0, 0.1));
+  return *imported;
+}
+
+Faces faces_in(const std::string& text) {
+  const ImportedMesh imported = read(text);
+  return imported.mesh == nullptr ? Faces{} : faces_of(*imported.mesh);
+}
+
+/// "path:line: message" of a text that must be refused.
+std::string refusal(const std::string& text) {
+  const auto imported = import_obj(text, "text.obj");
+  if (imported.has_value()) {
+    return "accepted";
+  }
+  EXPECT_EQ(imported.error().kind, ErrorKind::kBadInput);
+  return to_string(imported.error());
+}
+
+TEST(ImportObj, ReadsPolygonsOfAnySize) {
+  const ImportedMesh imported = read(Square +
+                                     "v 2 0.5 0.1\nv 0.5 2 0\nv 0.2 3 0\nf 1 2 3 4\n"
+                                     "f 2 5 3\nf 4 3 6 7 \n");
+  EXPECT_EQ(faces_of(*imported.mesh), (Faces{{0, 1, 2, 3}, {1, 4, 2}, {3, 2, 5, 6}}));
+  EXPECT_EQ(imported.mesh->positions()[4], glm::dvec3(2.0, 0.5, 0.1));
+  EXPECT_FALSE(imported.report.is_mended());
+  EXPECT_THAT(imported.report.unused_data, IsEmpty());
+}
+
+TEST(ImportObj, KeepsConcavePolygonsWhole) {
+  EXPECT_EQ(faces_in("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n"),
+            (Faces{{0, 1, 2, 3, 4}}));
+}
+
+TEST(ImportObj, CornersInEveryForm) {
+  const std::string rest = "vt 0 0\nvt 1 0\nvn 0 0 1\n";
+  for (const char* face :
+       {"f 1 2 3 4", "f 1/1 2/2 3/1 4/2", "f 1/1/1 2/2/1 3/1/1 4/2/1", "f 1//1 2//1 3//1 4//1",
+        "f 1/ 2// 3/1/ 4", "f -4 -3 -2 -1", "f -4/-2/-1 2/-1 3//-1 -1", "\tf  1\t2  3\t 4  ",
+        "f +1 +2 03 4", "f 1 2 3 4 # a comment", "f 1 2 3 4\t#a comment", "fo 1 2 3 4",
+        "  fo 1 2 3 4"}) {
+    EXPECT_EQ(faces_in(Square + rest + face), (Faces{{0, 1, 2, 3}})) << face;
+  }
+}
+
+TEST(ImportObj, NegativeIndicesCountFromWhereTheyStand) {
+  EXPECT_EQ(faces_in("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 1 1 0\nv 2 2 0\nf -4 -2 -1 -3\n"),
+            (Faces{{0, 1, 2}, {1, 3, 4, 2}}));
+}
+
+TEST(ImportObj, FacesMayComeBeforeTheirVertices) {
+  EXPECT_EQ(faces_in("f 1 2 3 4\n" + Square), (Faces{{0, 1, 2, 3}}));
+}
+
+TEST(ImportObj, LineEndsAndByteOrderMark) {
+  std::string text = "\xEF\xBB\xBF# box\n" + Square + "\n\n   \nf 1 2 \\\n  3 \\\n4";
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string ended;
+    for (const char c : text) {
+      c == '\n' ? ended += end : ended += c;
+    }
+    EXPECT_EQ(faces_in(ended), (Faces{{0, 1, 2, 3}}));
+    EXPECT_EQ(faces_in(ended + end), (Faces{{0, 1, 2, 3}}));
+  }
+}
+
+TEST(ImportObj, Continuations) {
+  EXPECT_EQ(faces_in("v 0 0 \\\n0\nv 1\\\n 0 0\nv 1 1 0\nv 0 1 0\nf\\\n 1 2 3\\\n\\\n 4"),
+            (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(faces_in(Square + "f 1 2 3 \\  \n 4\n"), (Faces{{0, 1, 2, 3}}));
+  // At the very end there is nothing to go on with.
+  EXPECT_EQ(faces_in(Square + "f 1 2 3 4 \\"), (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(faces_in(Square + "f 1 2 3 4 \\\n"), (Faces{{0, 1, 2, 3}}));
+  // A comment that ends in a Windows folder does not swallow the next line.
+  EXPECT_EQ(faces_in("# C:\\meshes\\\n" + Square + "  # \\\nf 1 2 3 4\n"), (Faces{{0, 1, 2, 3}}));
+}
+
+TEST(ImportObj, NumbersAreReadToTheLastBit) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> exponents(-12.0, 12.0);
+  for (int i = 0; i < 3000; ++i) {
+    const double value = std::pow(10.0, exponents(random)) * (i % 2 == 0 ? 1.0 : -1.0);
+    char written[40];
+    std::snprintf(written, sizeof written, "%.17g", value);
+    double back = 0.0;
+    ASSERT_TRUE(detail::parse_number(written, back));
+    ASSERT_EQ(back, value) << written;
+  }
+  const ImportedMesh imported = read(
+      "v 0.1 -.5 +3.\nv 1e-3 1E+3 -1.5e02\nv 0.333333333333333314829616256247 1e-400 -0\nf 1 2 3");
+  EXPECT_EQ(imported.mesh->positions()[0], glm::dvec3(0.1, -0.5, 3.0));
+  EXPECT_EQ(imported.mesh->positions()[1], glm::dvec3(1e-3, 1e3, -150.0));
+  EXPECT_EQ(imported.mesh->positions()[2], glm::dvec3(1.0 / 3.0, 0.0, 0.0));
+}
+
+TEST(ImportObj, NumbersDoNotDependOnTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) {
+    std::setlocale(LC_ALL, name);  // Those that are not installed change nothing.
+    EXPECT_EQ(read("v 1.5 1e-320 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").mesh->positions()[0],
+              glm::dvec3(1.5, 1e-320, 0.0));
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(ImportObj, MalformedNumbersAreErrorsWithTheirLine) {
+  EXPECT_EQ(refusal(Square + "v 1 x 0\nf 1 2 3"), "text.obj:5: \"x\" is not a number.");
+  for (const char* number : {"1,5", "1.2.3", "0x10", "1e", "1e+", "--1", "+-1", ".", "-", "1.#IND",
+                             "3.1+e2", "1f", "\x01", "1/2", "\xC3\xA4"}) {
+    EXPECT_THAT(refusal("v 0 0 " + std::string(number) + "\n"),
+                testing::AllOf(StartsWith("text.obj:1: "), HasSubstr("is not a number")))
+        << number;
+  }
+  EXPECT_THAT(refusal("v 1 2\n"), HasSubstr("text.obj:1: A vertex needs three coordinates; this "
+                                            "one has 2."));
+  EXPECT_THAT(refusal("\nv\n"), HasSubstr("text.obj:2: A vertex needs three coordinates"));
+  EXPECT_THAT(refusal("v 1 2 3 4 5 6 7 8 9\n"), HasSubstr("more than eight numbers"));
+  // The line is the one the word stands on, also within a continued statement.
+  EXPECT_THAT(refusal("v 1 2 3\nv 1 \\\n 2 \\\n oops\n"), StartsWith("text.obj:4: \"oops\""));
+  EXPECT_THAT(refusal("v 1 2 3\rv 1 \\\r 2\\\r\roops\r"), StartsWith("text.obj:2: A vertex needs"));
+}
+
+TEST(ImportObj, NonFiniteCoordinatesAreErrorsWithTheirLine) {
+  for (const char* number : {"nan", "-nan", "NaN", "inf", "-Infinity", "1e400", "-1e999"}) {
+    EXPECT_THAT(refusal(Square + "# more\nv 0 " + std::string(number) + " 0\nf 1 2 3"),
+                StartsWith("text.obj:6: This vertex has a coordinate that is not a finite number"))
+        << number;
+  }
+}
+
+TEST(ImportObj, MalformedFacesAreErrorsWithTheirLine) {
+  const auto refuse_face = [](const std::string& face) { return refusal(Square + face); };
+  EXPECT_THAT(refuse_face("f 1 2 3 0"), HasSubstr("text.obj:5: A face names vertex 0;"));
+  EXPECT_THAT(refuse_face("f 1 2 -5"), HasSubstr("text.obj:5: A face names vertex -5, counted back "
+                                                 "from here, but only 4 stand before it."));
+  EXPECT_EQ(refuse_face("\n\nf 1 2 5\nf 9 9 9"),
+            "text.obj:7: A face names vertex 5, but the file has 4 vertices.");
+  EXPECT_THAT(refuse_face("f 1 2 3000000000"), HasSubstr("text.obj:5: A face names vertex "));
+  EXPECT_THAT(refuse_face("f 1 2 99999999999999999999"), HasSubstr("is not a corner of a face"));
+  EXPECT_THAT(refuse_face("f 1 2 -99999999999"), HasSubstr("counted back from here"));
+  EXPECT_THAT(refuse_face("f 1 2"), HasSubstr("text.obj:5: A face needs at least three corners; "
+                                              "this one has 2."));
+  EXPECT_THAT(refuse_face("f"), HasSubstr("this one has 0"));
+  EXPECT_THAT(refuse_face("f # 1 2 3"), HasSubstr("this one has 0"));
+  EXPECT_THAT(refuse_face("f 1 2/1/1/1 3"), HasSubstr("more than three indices"));
+  for (const char* corner : {"x", "1.5", "1/x", "1//x", "/1", "//", "1a", "+-1", "2,"}) {
+    EXPECT_THAT(refuse_face("f 1 2 " + std::string(corner)),
+                testing::AllOf(StartsWith("text.obj:5: "), HasSubstr("is not a corner of a face")))
+        << corner;
+  }
+  EXPECT_THAT(refuse_face("f 1 2 \\\n 3 \\\n oops"), StartsWith("text.obj:7: "));
+  EXPECT_THAT(refuse_face("f 1 2 2 1"), StartsWith("text.obj:5: This face has 2 distinct"));
+  EXPECT_THAT(refuse_face("f 1 2 3\nf 1 2 4\nf 2 1 3 4"),
+              StartsWith("text.obj:7: This face is the third at the edge"));
+}
+
+TEST(ImportObj, MessagesShowNoControlCharacters) {
+  const std::string message = refusal("v 0 0 \x1B[31mred\xFF" + std::string(500, 'x') + "\n");
+  EXPECT_EQ(message, "text.obj:1: \"?[31mred?xxxxxxxxxxxxxxxxxxxxxxx...\" is not a number.");
+}
+
+TEST(ImportObj, NothingIsLostInSilence) {
+  const ImportedMesh imported = read(
+      "mtllib missing.mtl\no box\n" + Square +
+      "v 0 0 1 0.5\nv 1 0 1 0.1 0.2 0.3\nv 1 1 1 1\n"
+      "vt 0 0\nvt 1 1\nvn 0 0 1\nvp 0.5\ng a b\nusemtl red\ns 1\nf 1 2 3 4\ns off\nf 5 6 2 1\n"
+      "f 6 7 3 2\nl 1 2\nl 2 3\np 1\ncstype bspline\ndeg 3\ncurv 0 1 1 2\nend\nsurf 0 1 0 1 1 2\n"
+      "t crease 2/1/0 0 1 2.0\nt crease 2/1/0 1 2 2.0\nt corner 1/1/0 0 3\n"
+      "t interpolateboundary 1/0/0 2\nfoo 1\nfoo 2\nbevel on\n");
+  EXPECT_THAT(
+      imported.report.unused_data,
+      ElementsAre("1 material library", "1 object name", "1 vertex weight", "1 vertex colour",
+                  "2 texture coordinates", "1 normal", "1 parameter-space point",
+                  "1 group statement", "1 material assignment", "2 smoothing group statements",
+                  "2 line elements", "1 point element", "3 free-form attributes",
+                  "1 free-form curve", "1 free-form surface", "2 crease tags", "1 corner tag",
+                  "1 \"interpolateboundary\" tag", "2 \"foo\" statements", "1 display attribute"));
+  EXPECT_FALSE(imported.report.is_mended());
+  EXPECT_EQ(imported.report.sentences().size(), imported.report.unused_data.size());
+}
+
+TEST(ImportObj, UnknownStatementsAreSummedUp) {
+  std::string text = Square + "f 1 2 3 4\n";
+  for (int i = 0; i < 500; ++i) {
+    text += "word" + std::to_string(i) + " 1\n";
+  }
+  const ImportedMesh imported = read(text);
+  ASSERT_EQ(imported.report.unused_data.size(), 9U);
+  EXPECT_EQ(imported.report.unused_data[7], "1 \"word7\" statement");
+  EXPECT_EQ(imported.report.unused_data[8], "492 other unknown statements");
+}
+
+TEST(ImportObj, MendsWithAReport) {
+  const ImportedMesh imported = read(Square +
+                                     "v 5 5 5\nv 2 1 0\nv 2 2 0\nf 1 2 3 3\nf 1 4 3\n"
+                                     "f 3 6 7\n");
+  EXPECT_EQ(faces_of(*imported.mesh), (Faces{{0, 1, 2}, {0, 2, 3}, {6, 4, 5}}));
+  EXPECT_EQ(imported.mesh->positions()[4], glm::dvec3(2.0, 1.0, 0.0));
+  EXPECT_EQ(imported.mesh->positions()[6], imported.mesh->positions()[2]);
+  EXPECT_THAT(imported.report.sentences(),
+              ElementsAre("1 face was turned over to agree with the neighbours.",
+                          "1 vertex was added where parts of the surface met in a single point.",
+                          "1 vertex was in no face and dropped.",
+                          "1 corner of a face repeated the one before and was merged with it."));
+}
+
+TEST(ImportObj, RefusesWhatIsNoMesh) {
+  EXPECT_THAT(refusal(""), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal("\xEF\xBB\xBF"), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal("\\\n\\"), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal(Square + "l 1 2\n"),
+              HasSubstr("text.obj: There are 4 vertices but no faces to paint on. What there is: "
+                        "1 line element."));
+  EXPECT_THAT(refusal("solid cube\nfacet normal 0 0 1\n"), HasSubstr("\"solid\" statement"));
+  EXPECT_THAT(refusal(std::string("\xFF\xFEv\0 \0", 6)), HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal(std::string("\xFE\xFF\0v\0 ", 6)), HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal(Square + std::string("f 1 2 3\0", 8)), HasSubstr("binary data"));
+}
+
+TEST(ImportObj, LongLinesAndPolygons) {
+  std::string text;
+  std::string face = "f";
+  for (int i = 1; i <= 50000; ++i) {
+    text += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
+    face += " " + std::to_string(i) + (i % 10 == 0 ? " \\\n" : "");
+  }
+  EXPECT_EQ(read(text + face).mesh->face(0).size(), 50000U);
+  EXPECT_THAT(refusal(text + face + " -60000\n"), StartsWith("text.obj:55001: "));
+}
+
+// Whatever happens to a text, the answer is a sound mesh or an error.
+TEST(ImportObj, MutationsNeverBreakIt) {
+  const std::string original =
+      "# mixed\nmtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0 1\nv 0 1 0\nv 0 0 1\nv 1 0 1 .5 .5 .5\n"
+      "v 1 1 1\nv 0 1 1e0\nvt 0 0\nvn 0 0 1\ng a\nusemtl m\nf 4/1/1 3/1/1 2/1/1 1/1/1\n"
+      "f 5//1 6//1 \\\n 7//1 8//1\nf 1 2 6 5\nf -7 -6 -2 -3\nf 3 4 8 7\nf 4 1 5\nf 4 5 8\n"
+      "t crease 2/1/0 0 1 2.5\nl 1 2\ns off\n";
+  ASSERT_TRUE(import_obj(original, "o").has_value());
+  const std::string alphabet("0123456789-+./ \t\n\r\\#vftnelxE\0\xFF", 30);
+  std::mt19937 random(11);
+  const auto pick = [&](std::size_t below) {
+    return std::uniform_int_distribution<std::size_t>(0, below - 1)(random);
+  };
+  int accepted = 0;
+  for (int round = 0; round < 8000; ++round) {
+    std::string text = original;
+    switch (round % 4) {
+      case 0:
+        text.resize(pick(text.size()));
+        break;
+      case 1:
+        for (std::size_t i = 1 + pick(3); i > 0; --i) {
+          text[pick(text.size())] = static_cast<char>(pick(256));
+        }
+        break;
+      case 2:
+        for (std::size_t i = 1 + pick(4); i > 0; --i) {
+          text[pick(text.size())] = alphabet[pick(alphabet.size())];
+        }
+        break;
+      default:
+        text.insert(pick(text.size()), text.substr(pick(text.size()), pick(30)));
+        text.erase(pick(text.size()), pick(10));
+    }
+    const auto imported = import_obj(text, "mutant");
+    if (imported) {
+      ++accepted;
+      ASSERT_THAT(faults_of(*imported->mesh), IsEmpty()) << text;
+    } else {
+      ASSERT_EQ(imported.error().kind, ErrorKind::kBadInput) << text;
+      ASSERT_FALSE(imported.error().message.empty());
+    }
+  }
+  EXPECT_GT(accepted, 500);
+  EXPECT_LT(accepted, 7500);
 }
 
 }  // namespace

@@ -1,0 +1,168 @@
+#include "limn/mesh/export.h"
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/mesh/import.h"
+#include "mesh/mesh_checks.h"
+
+namespace limn {
+namespace {
+
+using test::faces_of;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+template <class Mesh>
+std::string text_of(const Mesh& mesh, const std::vector<std::uint8_t>& depths) {
+  std::ostringstream out;
+  write_obj(out, mesh, depths);
+  return out.str();
+}
+
+/// Two quads and a pentagon between them, made of three control faces.
+RefinedMesh strip() {
+  RefinedMesh mesh;
+  mesh.positions = {{0, 0, 0},      {1, 0, 0}, {1, 1, 0},      {0, 1, 0},       {2, 0, 0.1F},
+                    {2.5F, .5F, 0}, {2, 1, 0}, {3, 0, 1e-20F}, {3, 1, -1.5e10F}};
+  mesh.vertex_levels.assign(9, 0);
+  mesh.quads = {{0, 1, 2, 3}, {5, 4, 7, 8}};
+  mesh.polygon_offsets = {0, 5};
+  mesh.polygon_vertices = {1, 4, 5, 6, 2};
+  mesh.face_control_faces = {0, 2, 1};
+  mesh.face_levels = {1, 1, 0};
+  return mesh;
+}
+
+TEST(WriteObj, RefinedMeshWithItsDepthGroups) {
+  EXPECT_EQ(text_of(strip(), {2, 0, 2}),
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0.1\nv 2.5 0.5 0\nv 2 1 0\nv 3 0 1e-20\n"
+            "v 3 1 -15000000000\nusemtl depth_2\nf 1 2 3 4\nf 6 5 8 9\nusemtl depth_0\n"
+            "f 2 5 6 7 3\n");
+  EXPECT_THAT(text_of(strip(), {}), testing::Not(HasSubstr("usemtl")));
+}
+
+TEST(WriteObj, ControlMeshComesBackBitForBit) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> mantissas(-1.0, 1.0);
+  std::uniform_int_distribution<int> exponents(-300, 55);
+  PolygonSoup soup;
+  constexpr std::uint32_t columns = 40;
+  for (std::uint32_t i = 0; i < columns * columns; ++i) {
+    const auto number = [&] { return std::ldexp(mantissas(random), exponents(random)); };
+    soup.positions.emplace_back(number(), number(), i % 3 == 0 ? -0.0 : number());
+  }
+  for (std::uint32_t r = 0; r + 1 < columns; ++r) {
+    for (std::uint32_t c = 0; c + 1 < columns; ++c) {
+      const std::uint32_t v = r * columns + c;
+      if ((r + c) % 5 == 0) {
+        soup.add_face(std::vector<std::uint32_t>{v + columns, v, v + 1});
+        soup.add_face(std::vector<std::uint32_t>{v + 1, v + columns + 1, v + columns});
+      } else {
+        soup.add_face(std::vector<std::uint32_t>{v + columns + 1, v + columns, v, v + 1});
+      }
+    }
+  }
+  const auto built = build_control_mesh(soup);
+  ASSERT_TRUE(built.has_value());
+  const ControlMesh& mesh = *built->mesh;
+  std::vector<std::uint8_t> depths(mesh.face_count());
+  for (std::size_t f = 0; f < depths.size(); ++f) {
+    depths[f] = static_cast<std::uint8_t>(f % 4);
+  }
+  const std::string text = text_of(mesh, depths);
+  const auto again = import_obj(text, "written");
+  ASSERT_TRUE(again.has_value()) << to_string(again.error());
+  EXPECT_FALSE(again->report.is_mended());
+  EXPECT_EQ(faces_of(*again->mesh), faces_of(mesh));
+  ASSERT_EQ(again->mesh->vertex_count(), mesh.vertex_count());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double was = mesh.positions()[v][axis];
+      const double is = again->mesh->positions()[v][axis];
+      ASSERT_EQ(is, was);
+      ASSERT_EQ(std::signbit(is), std::signbit(was));
+    }
+  }
+  EXPECT_EQ(text_of(*again->mesh, depths), text);
+}
+
+TEST(WriteObj, FloatsComeBackBitForBit) {
+  RefinedMesh mesh = strip();
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> numbers(-3.0F, 3.0F);
+  for (auto& p : mesh.positions) {
+    p = {numbers(random), numbers(random), numbers(random)};
+  }
+  const auto again = import_obj(text_of(mesh, {}), "written");
+  ASSERT_TRUE(again.has_value());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    EXPECT_EQ(glm::vec3(again->mesh->positions()[v]), mesh.positions[v]);
+  }
+}
+
+class ExportObj : public testing::Test {
+ protected:
+  ExportObj()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("limn_export_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directory(folder_);
+  }
+  ~ExportObj() override { std::filesystem::remove_all(folder_); }
+
+  const std::filesystem::path folder_;
+};
+
+TEST_F(ExportObj, WritesWhatWriteObjWrites) {
+  const std::vector<std::uint8_t> depths = {1, 2, 3};
+  ASSERT_TRUE(export_obj(folder_ / "strip.obj", strip(), depths).has_value());
+  std::ifstream in(folder_ / "strip.obj");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), text_of(strip(), depths));
+
+  const auto imported = import_mesh(folder_ / "strip.obj");
+  ASSERT_TRUE(imported.has_value());
+  ASSERT_TRUE(export_obj(folder_ / "again.obj", *imported->mesh, {}).has_value());
+  const auto again = import_mesh(folder_ / "again.obj");
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(faces_of(*again->mesh), faces_of(*imported->mesh));
+}
+
+TEST_F(ExportObj, FailsWithThePath) {
+  const auto written = export_obj(folder_ / "missing" / "strip.obj", strip(), {});
+  ASSERT_FALSE(written.has_value());
+  EXPECT_EQ(written.error().kind, ErrorKind::kFailed);
+  EXPECT_THAT(to_string(written.error()), HasSubstr("missing/strip.obj: "));
+}
+
+TEST(RefinedMesh, BecomesAHalfedgeMeshWithTheSameNumbers) {
+  const RefinedMesh mesh = strip();
+  const HalfedgeMesh halfedges = to_halfedge_mesh(mesh);
+  EXPECT_THAT(test::link_faults_of(halfedges), IsEmpty());
+  ASSERT_EQ(halfedges.n_faces(), 3U);
+  ASSERT_EQ(halfedges.n_vertices(), 9U);
+  for (std::size_t f = 0; f < 3; ++f) {
+    std::vector<std::uint32_t> vertices;
+    for (const auto v : halfedges.fv_range(OpenMesh::FaceHandle(static_cast<int>(f)))) {
+      vertices.push_back(static_cast<std::uint32_t>(v.idx()));
+    }
+    const auto face = mesh.face(f);
+    EXPECT_EQ(vertices, std::vector<std::uint32_t>(face.begin(), face.end()));
+  }
+  EXPECT_EQ(halfedges.point(OpenMesh::VertexHandle(4))[2], double{0.1F});
+  EXPECT_EQ(mesh.bytes(), 9 * 12 + 9 + 2 * 16 + 2 * 4 + 5 * 4 + 3 * 4 + 3U);
+}
+
+}  // namespace
+}  // namespace limn

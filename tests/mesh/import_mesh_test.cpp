@@ -1,0 +1,137 @@
+// Files as the operating system has them.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/mesh/import.h"
+#include "mesh/mesh_checks.h"
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string Triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+class ImportMesh : public testing::Test {
+ protected:
+  ImportMesh()
+      : folder_(fs::temp_directory_path() / ("limn_import_" + std::to_string(::getpid()))) {
+    fs::create_directory(folder_);
+  }
+  ~ImportMesh() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+  /// The message of a path that must be refused; its error names the path.
+  static std::string refusal(const fs::path& path) {
+    const auto imported = import_mesh(path);
+    if (imported.has_value()) {
+      return "accepted";
+    }
+    EXPECT_EQ(imported.error().kind, ErrorKind::kBadInput);
+    EXPECT_EQ(imported.error().path, path.string());
+    return imported.error().message;
+  }
+
+  const fs::path folder_;
+};
+
+TEST_F(ImportMesh, ReadsFilesWhateverTheCaseOfTheirEnding) {
+  for (const char* name : {"a.obj", "b.OBJ", "c.d.Obj", "name with spaces \xC3\xA4.obj"}) {
+    const auto imported = import_mesh(write(name, Triangle));
+    ASSERT_TRUE(imported.has_value()) << to_string(imported.error());
+    EXPECT_EQ(imported->mesh->face_count(), 1U);
+  }
+  fs::create_symlink(folder_ / "a.obj", folder_ / "link.obj");
+  EXPECT_TRUE(import_mesh(folder_ / "link.obj").has_value());
+}
+
+TEST_F(ImportMesh, ErrorsInTheTextNameThePathAndTheLine) {
+  const fs::path path = write("bad.obj", Triangle + "f 1 2 x\n");
+  const auto imported = import_mesh(path);
+  ASSERT_FALSE(imported.has_value());
+  EXPECT_THAT(to_string(imported.error()), StartsWith(path.string() + ":5: \"x\" is not"));
+}
+
+TEST_F(ImportMesh, NeverOpensMaterials) {
+  // Reading a pipe that nobody writes to would wait for ever.
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.mtl").c_str(), 0600), 0);
+  EXPECT_TRUE(import_mesh(write("a.obj", "mtllib pipe.mtl\n" + Triangle)).has_value());
+}
+
+TEST_F(ImportMesh, RefusesOtherEndings) {
+  EXPECT_EQ(refusal(write("mesh.ply", Triangle)),
+            "Files with the ending .ply are not read; meshes are read from .obj files.");
+  EXPECT_THAT(refusal(write("mesh", Triangle)), HasSubstr("no ending to tell the format by"));
+}
+
+TEST_F(ImportMesh, RefusesWhatCannotBeRead) {
+  EXPECT_EQ(refusal(folder_ / "missing.obj"), "There is no such file.");
+  EXPECT_EQ(refusal(""), "There is no such file.");
+  fs::create_directory(folder_ / "folder.obj");
+  EXPECT_THAT(refusal(folder_ / "folder.obj"), HasSubstr("is a folder"));
+  EXPECT_THAT(refusal(folder_), HasSubstr("is a folder"));
+  EXPECT_THAT(refusal(write("a.obj", Triangle) / "b.obj"), HasSubstr("Not a directory"));
+  EXPECT_THAT(refusal(folder_ / (std::string(5000, 'x') + ".obj")), HasSubstr("Cannot read"));
+  fs::create_symlink("loop.obj", folder_ / "loop.obj");
+  EXPECT_THAT(refusal(folder_ / "loop.obj"), HasSubstr("Cannot read"));
+  if (::geteuid() != 0) {  // Nothing is unreadable for root.
+    const fs::path secret = write("secret.obj", Triangle);
+    fs::permissions(secret, fs::perms::none);
+    EXPECT_THAT(refusal(secret), HasSubstr("Permission denied"));
+  }
+}
+
+TEST_F(ImportMesh, RefusesPipesDevicesAndSocketsAtOnce) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
+  EXPECT_THAT(refusal(folder_ / "pipe.obj"), HasSubstr("not a regular file"));
+  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("not a regular file"));
+  EXPECT_THAT(refusal("/dev/null"), HasSubstr("not a regular file"));
+  fs::create_symlink("/dev/zero", folder_ / "zero.obj");
+  EXPECT_THAT(refusal(folder_ / "zero.obj"), HasSubstr("not a regular file"));
+
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::snprintf(address.sun_path, sizeof address.sun_path, "%s", (folder_ / "socket.obj").c_str());
+  ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_THAT(refusal(folder_ / "socket.obj"), HasSubstr("Cannot read"));
+  ::close(socket);
+}
+
+TEST_F(ImportMesh, RefusesEmptyBinaryAndHugeFiles) {
+  EXPECT_EQ(refusal(write("empty.obj", "")), "The file is empty.");
+  EXPECT_THAT(refusal(write("binary.obj", std::string("\x7F"
+                                                      "ELF\0\1\2",
+                                                      7))),
+              HasSubstr("binary data"));
+  std::string wide("\xFF\xFE");
+  for (const char c : Triangle) {
+    wide += c;
+    wide += '\0';
+  }
+  EXPECT_THAT(refusal(write("wide.obj", wide)), HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal(write("wide_unmarked.obj", wide.substr(2))), HasSubstr("binary data"));
+
+  const fs::path huge = write("huge.obj", Triangle);
+  if (::truncate(huge.c_str(), off_t{5} << 30) == 0) {  // Sparse: takes no room on the disk.
+    EXPECT_EQ(refusal(huge), "The file has 5368709120 bytes; files of up to 4 GiB are read.");
+  }
+}
+
+}  // namespace
+}  // namespace limn
