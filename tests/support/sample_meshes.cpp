@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "limn/contract.h"
-#include "limn/mesh/build.h"
+#include "support/shapes.h"
 
 namespace limn::test {
 
@@ -16,9 +15,7 @@ std::shared_ptr<const ControlMesh> control_mesh(
   for (const std::vector<std::uint32_t>& face : faces) {
     soup.add_face(face);
   }
-  const Result<ImportedMesh> built = build_control_mesh(soup);
-  LIMN_EXPECTS(built.has_value());
-  return built->mesh;
+  return control_mesh(soup);
 }
 
 std::shared_ptr<const ControlMesh> cube_mesh() {
@@ -53,20 +50,7 @@ std::shared_ptr<const ControlMesh> mixed_mesh() {
 }
 
 std::shared_ptr<const ControlMesh> grid_mesh(std::uint32_t n) {
-  std::vector<glm::dvec3> positions;
-  for (std::uint32_t y = 0; y <= n; ++y) {
-    for (std::uint32_t x = 0; x <= n; ++x) {
-      positions.emplace_back(x, y, 0.0);
-    }
-  }
-  std::vector<std::vector<std::uint32_t>> faces;
-  for (std::uint32_t y = 0; y < n; ++y) {
-    for (std::uint32_t x = 0; x < n; ++x) {
-      const std::uint32_t v = y * (n + 1) + x;
-      faces.push_back({v, v + 1, v + n + 2, v + n + 1});
-    }
-  }
-  return control_mesh(positions, faces);
+  return control_mesh(grid_soup(n, n));
 }
 
 }  // namespace limn::test

@@ -1,0 +1,32 @@
+// What is the same for everything drawn in one frame (render/frame_uniforms.h).
+
+const int kSmoothNormals = 1;
+const int kLit = 2;
+const int kWireframe = 4;
+const int kColourByDepth = 8;
+const int kColourByLevel = 16;
+const int kShowIllegal = 32;
+
+layout(std140, binding = 0) uniform Frame {
+  mat4 clip_from_local;
+  mat4 view_from_local;
+  mat4 projection;
+  vec4 viewport;       // width, height, pixels per unit of the interface, unused
+  vec4 palette[8];     // linear RGB of depths
+  vec4 palette_text[8];  // sRGB of digits on them
+  vec4 illegal;        // sRGB, as are the next ones
+  vec4 relabelled;
+  vec4 accent;
+  vec4 wire;           // alpha: strength
+  vec4 cage;           // alpha: strength
+  int options;
+};
+
+bool has_option(int option) { return (options & option) != 0; }
+bool is_perspective() { return projection[3][3] == 0.0; }
+
+vec3 srgb_from_linear(vec3 colour) {
+  colour = clamp(colour, 0.0, 1.0);
+  return mix(12.92 * colour, 1.055 * pow(colour, vec3(1.0 / 2.4)) - 0.055,
+             greaterThan(colour, vec3(0.0031308)));
+}

@@ -1,0 +1,75 @@
+#include "render/frame_uniforms.h"
+
+#include <cmath>
+
+namespace limn::render {
+namespace {
+
+// The bits of shaders/frame.glsl.
+constexpr std::int32_t kSmoothNormals = 1;
+constexpr std::int32_t kLit = 2;
+constexpr std::int32_t kWireframe = 4;
+constexpr std::int32_t kColourByDepth = 8;
+constexpr std::int32_t kColourByLevel = 16;
+constexpr std::int32_t kShowIllegal = 32;
+
+constexpr Rgb kBlack{0, 0, 0};
+constexpr Rgb kDarkCage{0xe6, 0xe6, 0xe6};
+constexpr Rgb kLightCage{0x3c, 0x40, 0x46};
+
+float linear(std::uint8_t value) {
+  const float v = static_cast<float>(value) / 255.0F;
+  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+
+glm::vec4 linear_rgb(Rgb colour) {
+  return {linear(colour.red), linear(colour.green), linear(colour.blue), 1.0F};
+}
+
+std::int32_t option_bits(const DrawSettings& settings) {
+  std::int32_t bits = 0;
+  bits |= settings.shading == Shading::kSmooth ? kSmoothNormals : 0;
+  bits |= settings.is_lit ? kLit : 0;
+  bits |= settings.has_wireframe ? kWireframe : 0;
+  bits |= settings.colour == FaceColour::kDepth ? kColourByDepth : 0;
+  bits |= settings.colour == FaceColour::kLevel ? kColourByLevel : 0;
+  bits |= settings.shows_illegal_faces ? kShowIllegal : 0;
+  return bits;
+}
+
+}  // namespace
+
+Background background_of(Theme theme) noexcept {
+  if (theme == Theme::kLight) {
+    return {{0xee, 0xf0, 0xf3}, {0xd7, 0xda, 0xe0}};
+  }
+  return {{0x2b, 0x2d, 0x31}, {0x1b, 0x1c, 0x1f}};
+}
+
+glm::vec4 srgb(Rgb colour, float alpha) noexcept {
+  return {static_cast<float>(colour.red) / 255.0F, static_cast<float>(colour.green) / 255.0F,
+          static_cast<float>(colour.blue) / 255.0F, alpha};
+}
+
+FrameUniforms frame_uniforms(const Camera& camera, const glm::dvec3& origin,
+                             const DrawSettings& settings) {
+  FrameUniforms frame{};
+  frame.clip_from_local = clip_from_local(camera, origin);
+  frame.view_from_local = view_from_local(camera, origin);
+  frame.projection = glm::mat4(camera.projection);
+  frame.viewport = {static_cast<float>(camera.size.width), static_cast<float>(camera.size.height),
+                    settings.scale, 0.0F};
+  for (std::size_t depth = 0; depth < frame.palette.size(); ++depth) {
+    frame.palette[depth] = linear_rgb(depth_palette()[depth]);
+    frame.palette_text[depth] = srgb(text_colour_on(depth_palette()[depth]));
+  }
+  frame.illegal = srgb(kIllegalColour);
+  frame.relabelled = srgb(kRelabelledColour);
+  frame.accent = srgb(kAccentColour);
+  frame.wire = srgb(kBlack, 0.35F);
+  frame.cage = settings.theme == Theme::kDark ? srgb(kDarkCage, 0.75F) : srgb(kLightCage, 0.75F);
+  frame.options = option_bits(settings);
+  return frame;
+}
+
+}  // namespace limn::render

@@ -1,0 +1,179 @@
+// Order: background, surface (with depth), cage hidden then visible, markers, then what lies flat
+// on the screen. Everything after the surface is blended and leaves the depth buffer as it is.
+#include "render/mesh_renderer.h"
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limn/contract.h"
+#include "render/digit_strokes.h"
+#include "render/environment_error.h"
+#include "render/frame_uniforms.h"
+#include "render/shader_library.h"
+
+namespace limn::render {
+namespace {
+
+constexpr float kCageWidth = 1.5F;
+constexpr float kHiddenCageStrength = 0.15F;
+constexpr float kVisibleCageStrength = 1.0F;
+
+/// As shaders/overlay.vert.glsl reads it.
+struct SegmentRecord {
+  glm::vec4 ends;
+  glm::vec4 colour;
+  float width;
+  std::array<float, 3> unused;
+};
+static_assert(sizeof(SegmentRecord) == 48);
+
+gl::Buffer digit_buffer() {
+  const DigitStrokes font = make_digit_strokes();
+  // Twelve words of offsets, then the strokes: the block of shaders/markers.frag.glsl.
+  std::vector<std::byte> bytes(12 * sizeof(std::uint32_t) +
+                               font.strokes.size() * sizeof(glm::vec4));
+  std::memcpy(bytes.data(), font.first.data(), font.first.size() * sizeof(std::uint32_t));
+  std::memcpy(bytes.data() + 12 * sizeof(std::uint32_t), font.strokes.data(),
+              font.strokes.size() * sizeof(glm::vec4));
+  gl::Buffer buffer = gl::Buffer::create("digit strokes");
+  buffer.upload_bytes(bytes);
+  return buffer;
+}
+
+void begin_blending() {
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+}
+
+void end_blending() {
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace
+
+MeshRenderer::MeshRenderer()
+    : no_attributes_(gl::VertexArray::create("no attributes")),
+      frame_(gl::Buffer::create("frame")),
+      digits_(digit_buffer()),
+      segments_(gl::Buffer::create("overlay segments")),
+      background_program_(load_program("fullscreen.vert.glsl", "background.frag.glsl")),
+      surface_program_(load_program("surface.vert.glsl", "surface.frag.glsl")),
+      edges_program_(load_program("edges.vert.glsl", "edges.frag.glsl")),
+      markers_program_(load_program("markers.vert.glsl", "markers.frag.glsl")),
+      overlay_program_(load_program("overlay.vert.glsl", "overlay.frag.glsl")),
+      ring_program_(load_program("ring.vert.glsl", "ring.frag.glsl")) {}
+
+void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const Scene& scene,
+                        const DrawSettings& settings) {
+  LIMN_EXPECTS(camera.size.width == target.size().x && camera.size.height == target.size().y);
+  LIMN_EXPECTS(scene.surface == nullptr || scene.paint != nullptr);
+
+  const glm::dvec3 origin = scene.surface != nullptr ? scene.surface->origin()
+                            : scene.cage != nullptr  ? scene.cage->origin()
+                                                     : glm::dvec3(0.0);
+  const FrameUniforms frame = frame_uniforms(camera, origin, settings);
+  frame_.upload(std::span<const FrameUniforms>(&frame, 1));
+  frame_.bind_uniform(0);
+
+  target.bind();
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glClearDepth(1.0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+
+  glDisable(GL_DEPTH_TEST);
+  draw_background(settings);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  if (scene.surface != nullptr) {
+    draw_surface(scene);
+  }
+  begin_blending();
+  if (scene.cage != nullptr) {
+    draw_cage(*scene.cage, settings);
+  }
+  if (scene.markers != nullptr) {
+    draw_markers(*scene.markers);
+  }
+  glDisable(GL_DEPTH_TEST);
+  draw_overlay(scene);
+  end_blending();
+}
+
+void MeshRenderer::draw_background(const DrawSettings& settings) const {
+  const Background colours = background_of(settings.theme);
+  background_program_.set(0, srgb(settings.has_background ? colours.top : colours.bottom));
+  background_program_.set(1, srgb(colours.bottom));
+  background_program_.use();
+  no_attributes_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void MeshRenderer::draw_surface(const Scene& scene) const {
+  LIMN_EXPECTS(scene.paint->face_count() == scene.surface->control_face_count());
+  surface_program_.use();
+  scene.paint->bind();
+  scene.surface->draw();
+}
+
+void MeshRenderer::draw_cage(const SurfaceBuffers& cage, const DrawSettings& settings) const {
+  edges_program_.set(0, kCageWidth * settings.scale);
+  edges_program_.use();
+  glDepthFunc(GL_GREATER);
+  edges_program_.set(1, kHiddenCageStrength);
+  cage.draw_edges();
+  glDepthFunc(GL_LEQUAL);
+  edges_program_.set(1, kVisibleCageStrength);
+  cage.draw_edges();
+  glDepthFunc(GL_LESS);
+}
+
+void MeshRenderer::draw_markers(const MarkerBuffers& markers) const {
+  markers_program_.use();
+  digits_.bind_storage(9);
+  markers.draw();
+}
+
+void MeshRenderer::draw_overlay(const Scene& scene) {
+  no_attributes_.bind();
+  if (!scene.segments.empty()) {
+    std::vector<SegmentRecord> records;
+    records.reserve(scene.segments.size());
+    for (const OverlaySegment& segment : scene.segments) {
+      records.push_back({glm::vec4(segment.from, segment.to),
+                         srgb(segment.colour, segment.opacity),
+                         segment.width,
+                         {}});
+    }
+    segments_.upload(records);
+    segments_.bind_storage(8);
+    overlay_program_.use();
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(records.size() * 6));
+  }
+  if (scene.ring) {
+    ring_program_.set(0, glm::vec4(scene.ring->centre, scene.ring->radius, scene.ring->line_width));
+    ring_program_.use();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+}
+
+Result<Image> draw_picture(MeshRenderer& renderer, const Camera& camera, const Scene& scene,
+                           const DrawSettings& settings) {
+  RenderTarget target;
+  try {
+    target.resize({camera.size.width, camera.size.height});
+  } catch (const EnvironmentError& error) {
+    return fail(ErrorKind::kEnvironment, error.what());
+  }
+  renderer.draw(target, camera, scene, settings);
+  return target.read();
+}
+
+}  // namespace limn::render
