@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include "ui/keys.h"
 #include "ui/panels.h"
@@ -182,7 +181,7 @@ GuiFrame Gui::frame(const Model& model, const InputFrame& input, WindowSize wind
   const bool is_escaping = std::any_of(input.presses.begin(), input.presses.end(),
                                        [](const KeyPress& p) { return p.key == Key::kEscape; });
   if (has_menu && is_escaping) {
-    ImGui::ClosePopupToLevel(0, true);
+    close_popups();
   } else if (!has_menu) {
     out.actions = key_actions(input, model, io.WantTextInput);
   }

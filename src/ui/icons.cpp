@@ -54,15 +54,9 @@ void bent_arrow(const Pen& pen, float side) {
 }
 
 void orbit(const Pen& pen) {
-  pen.circle(0.0F, 0.0F, 2.4F);
-  for (int i = 0; i <= 28; ++i) {
-    const float t = (-0.14F + 0.86F * static_cast<float>(i) / 28.0F) * 2.0F * kPi;
-    const float x = 8.2F * std::cos(t);
-    const float y = 3.6F * std::sin(t);
-    pen.list.PathLineTo(pen.at(0.94F * x + 0.34F * y, -0.34F * x + 0.94F * y));
-  }
-  pen.list.PathStroke(pen.colour, ImDrawFlags_None, pen.width());
-  pen.triangle({4.2F, -8.6F}, {5.6F, -3.6F}, {0.6F, -5.0F});
+  pen.arc(0.0F, 0.0F, 7.0F, 0.02F, 0.80F);
+  pen.triangle({2.4F, -10.6F}, {8.4F, -6.4F}, {1.6F, -3.4F});
+  pen.list.AddCircleFilled(pen.at(0.0F, 0.0F), 2.0F * pen.grid, pen.colour);
 }
 
 void dropper(const Pen& pen) {

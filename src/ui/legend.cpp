@@ -52,7 +52,7 @@ void draw_legend(ImDrawList& list, const LegendLook& look, const DepthCounts& co
     const float text_y = std::floor(top + (m.line - height) / 2.0F);
     const ImVec2 low{origin.x + m.padding, std::floor(top + (m.line - m.swatch) / 2.0F)};
     const ImVec2 high{low.x + m.swatch, low.y + m.swatch};
-    list.AddRectFilled(low, high, depth_colour(line), 3.0F * look.unit);
+    list.AddRectFilled(low, high, swatch_colour(line), 3.0F * look.unit);
     const ImU32 ink = count > 0 ? look.colours.text : faded(look.colours.dim_text, 0.6F);
     const std::string name = std::to_string(line) + (is_last ? "+" : "");
     list.AddText(font, height, {high.x + 8.0F * look.unit, text_y}, ink, name.c_str());

@@ -120,11 +120,17 @@ ImVec2 wanted_size(const Modal& modal) {
 
 }  // namespace
 
+void close_popups() {
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) {
+    ImGui::ClosePopupToLevel(0, true);
+  }
+}
+
 void draw_modal(PanelContext& context, WindowSize window) {
   const Modal& modal = context.model.modal;
   std::size_t& open = context.state.open_modal;
   if (open != modal.index()) {
-    ImGui::ClosePopupToLevel(0, true);
+    close_popups();
     open = modal.index();
   }
   if (open == 0) {

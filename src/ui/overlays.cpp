@@ -73,7 +73,7 @@ void draw_toasts(PanelContext& context, ImDrawList& list, const WindowRect& view
     list.AddRect(low, high, c.hairline, context.px(6));
     const ImU32 mark = toast.kind == Toast::Kind::kProblem
                            ? c.problem
-                           : (toast.kind == Toast::Kind::kDone ? depth_colour(2) : c.dim_text);
+                           : (toast.kind == Toast::Kind::kDone ? swatch_colour(2) : c.dim_text);
     list.AddCircleFilled({low.x + pad + context.px(3), low.y + height / 2.0F}, context.px(4), mark);
     list.AddText(
         {low.x + pad + context.px(16), std::floor(low.y + (height - ImGui::GetFontSize()) / 2.0F)},

@@ -37,7 +37,7 @@ void target_depth_row(PanelContext& context) {
     ImGui::PopID();
     const bool is_target = is_checked(context.model, action);
     const float strength = brush.sets_depth || ImGui::IsItemHovered() ? 1.0F : 0.55F;
-    list.AddRectFilled(low, high, faded(depth_colour(depth), strength), context.px(4));
+    list.AddRectFilled(low, high, faded(swatch_colour(depth), strength), context.px(4));
     if (is_target) {
       const float inset = context.px(1);
       list.AddRect({low.x - inset, low.y - inset}, {high.x + inset, high.y + inset},
@@ -47,7 +47,7 @@ void target_depth_row(PanelContext& context) {
     const ImVec2 size = ImGui::CalcTextSize(digit.c_str());
     list.AddText({std::floor((low.x + high.x - size.x) / 2.0F),
                   std::floor((low.y + high.y - size.y) / 2.0F)},
-                 text_on_depth(depth), digit.c_str());
+                 text_on_swatch(depth), digit.c_str());
     ImGui::PushFont(context.fonts.body);
     explain(context, "Depth " + digit,
             "The brush sets this depth: each face becomes up to " +

@@ -24,7 +24,7 @@ std::string tool_hint(const Model& model) {
     case Tool::kPick:
       return "Click: pick the depth of this face";
     case Tool::kOrbit:
-      return "Left drag: orbit";
+      break;
   }
   return {};
 }
@@ -81,7 +81,9 @@ std::string mouse_hint(const Model& model, const ViewportInput& input) {
   if (held.shift && is_brush) {
     return "Shift + left drag: depth −1 · Shift + middle drag: pan";
   }
-  return tool_hint(model) + " · Alt or middle drag: orbit · Wheel: zoom";
+  const bool is_orbit = model.brush.tool == Tool::kOrbit;
+  return is_orbit ? "Left or middle drag: orbit · Shift + middle drag: pan · Wheel: zoom"
+                  : tool_hint(model) + " · Alt or middle drag: orbit · Wheel: zoom";
 }
 
 void draw_status_line(PanelContext& context, const WindowRect& place, const ViewportInput& input) {

@@ -30,7 +30,10 @@ void progress(PanelContext& context, const RunningRefinement& running) {
   const float bar = context.px(4);
   list.AddRectFilled({low.x, high.y - bar}, {low.x + width * fraction, high.y}, c.accent,
                      context.px(2));
-  const std::string percent = percent_text(running.fraction, 1.0);
+  std::string percent = percent_text(running.fraction, 1.0);
+  if (const RefinementPrediction* prediction = context.model.refinement.prediction) {
+    percent += " of " + grouped(prediction->faces);
+  }
   const float percent_width = ImGui::CalcTextSize(percent.c_str()).x;
   const float text_y = std::floor(low.y + (height - bar - ImGui::GetFontSize()) / 2.0F);
   const float pad = context.px(10);

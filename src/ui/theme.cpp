@@ -3,7 +3,8 @@
 #include "ui/theme.h"
 
 #include <algorithm>
-#include <array>
+
+#include "limn/painting/depth_palette.h"
 
 namespace limn::ui {
 namespace {
@@ -48,8 +49,9 @@ constexpr ThemeColours kLight{
     .overlay = rgb(0xF7F8FA, 0xE0),
 };
 
-constexpr std::array<unsigned, 8> kDepths{0xC8C4BD, 0xDBEF89, 0x74DA93, 0x09B9B1,
-                                          0x0793B7, 0x0170A9, 0x014C9C, 0x232674};
+ImU32 opaque(Rgb colour) {
+  return IM_COL32(colour.red, colour.green, colour.blue, 0xFF);
+}
 
 }  // namespace
 
@@ -57,12 +59,12 @@ const ThemeColours& theme_colours(Theme theme) noexcept {
   return theme == Theme::kDark ? kDark : kLight;
 }
 
-ImU32 depth_colour(int depth) noexcept {
-  return rgb(kDepths[std::min(static_cast<std::size_t>(std::max(depth, 0)), kDepths.size() - 1)]);
+ImU32 swatch_colour(int depth) noexcept {
+  return opaque(depth_colour(depth));
 }
 
-ImU32 text_on_depth(int depth) noexcept {
-  return depth <= 3 ? IM_COL32(0, 0, 0, 0xE0) : IM_COL32_WHITE;
+ImU32 text_on_swatch(int depth) noexcept {
+  return opaque(text_colour_on(depth_colour(depth)));
 }
 
 ImU32 faded(ImU32 colour, float alpha) noexcept {

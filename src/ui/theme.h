@@ -28,9 +28,9 @@ struct ThemeColours {
 [[nodiscard]] const ThemeColours& theme_colours(Theme theme) noexcept;
 
 /// Palette colour of a depth; those past the palette's end have its last.
-[[nodiscard]] ImU32 depth_colour(int depth) noexcept;
+[[nodiscard]] ImU32 swatch_colour(int depth) noexcept;
 /// Black or white, whichever reads better on that colour.
-[[nodiscard]] ImU32 text_on_depth(int depth) noexcept;
+[[nodiscard]] ImU32 text_on_swatch(int depth) noexcept;
 
 /// The same colour with its alpha multiplied.
 [[nodiscard]] ImU32 faded(ImU32 colour, float alpha) noexcept;

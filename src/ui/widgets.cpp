@@ -216,7 +216,7 @@ bool icon_button(PanelContext& context, const Action& action, Icon icon, float s
     fill_item(control_fill(c), context.px(4));
     ink = c.text;
   }
-  draw_icon(*ImGui::GetWindowDrawList(), icon, item_centre(), context.px(20), ink);
+  draw_icon(*ImGui::GetWindowDrawList(), icon, item_centre(), context.px(22), ink);
   explain(context, action);
   remember(context, "tool: " + std::string(info(action.id).label));
   if (is_pressed) {
