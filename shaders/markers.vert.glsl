@@ -5,7 +5,7 @@
 
 struct Marker {
   float x, y, z;
-  uint packed;  // number, style << 8
+  uint number_and_style;  // number | style << 8
 };
 layout(std430, binding = 8) restrict readonly buffer Markers { Marker markers[]; };
 
@@ -18,8 +18,8 @@ flat out uint style;
 void main() {
   Marker marker = markers[uint(gl_VertexID) / 6];
   uint part = uint(gl_VertexID) % 6;
-  number = marker.packed & 0xFFu;
-  style = marker.packed >> 8;
+  number = marker.number_and_style & 0xFFu;
+  style = marker.number_and_style >> 8;
 
   vec4 centre = clip_from_local * vec4(marker.x, marker.y, marker.z, 1.0);
   float reach = kReach * viewport.z;

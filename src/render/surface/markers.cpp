@@ -8,7 +8,7 @@ namespace {
 /// As shaders/markers.vert.glsl reads it.
 struct MarkerRecord {
   glm::vec3 position;
-  std::uint32_t packed;
+  std::uint32_t number_and_style;
 };
 static_assert(sizeof(MarkerRecord) == 16);
 
