@@ -101,6 +101,12 @@ class BoundaryPaths {
 
 CrackCheck check_cracks(const ControlMesh& control, const RefinedMesh& refined) {
   CrackCheck check;
+  std::vector<bool> is_covered(control.face_count(), false);
+  for (const std::uint32_t f : refined.face_control_faces) {
+    is_covered[f] = true;
+  }
+  check.missing_control_faces = static_cast<std::size_t>(std::ranges::count(is_covered, false));
+
   std::vector<BoundaryEdge> boundary;
   for_each_edge(gather_face_sides(refined),
                 [&](std::uint32_t low, std::span<const FaceSide> sides) {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "subdivision/surroundings.h"
-
 namespace limn {
 namespace {
 
@@ -37,6 +35,12 @@ class FacePoints {
   std::size_t f_;
 };
 
+/// Its first label speaks for all: a non-quad is positive as a whole or not at all.
+bool stays_polygon(const ControlMesh& mesh, const VertexLabels& labels, std::uint32_t f) {
+  const auto corners = mesh.face(f);
+  return corners.size() != 4 && labels[corners.front()] == 0;
+}
+
 }  // namespace
 
 RefinedMesh allocate_output(const ControlMesh& mesh, const VertexLabels& labels,
@@ -49,22 +53,23 @@ RefinedMesh allocate_output(const ControlMesh& mesh, const VertexLabels& labels,
   std::ranges::transform(mesh.positions(), output.positions.begin(),
                          [](const glm::dvec3& position) { return glm::vec3(position); });
   std::size_t polygons = 0;
-  if (!mesh.is_all_quads()) {
-    const FlatTopology& topology = mesh.topology();
-    std::vector<std::uint32_t> control_faces;
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-      const auto corners = corners_of(topology, f);
-      if (corners.size() != 4 && labels[corners.front()] == 0) {  // Then all its labels are 0.
-        control_faces.push_back(f);
-        output.polygon_vertices.insert(output.polygon_vertices.end(), corners.begin(),
-                                       corners.end());
-        output.polygon_offsets.push_back(
-            static_cast<std::uint32_t>(output.polygon_vertices.size()));
-      }
+  std::size_t polygon_sides = 0;
+  for (std::uint32_t f = 0; !mesh.is_all_quads() && f < mesh.face_count(); ++f) {
+    if (stays_polygon(mesh, labels, f)) {
+      ++polygons;
+      polygon_sides += mesh.face(f).size();
     }
-    polygons = control_faces.size();
-    std::ranges::copy(control_faces,
-                      output.face_control_faces.end() - static_cast<std::ptrdiff_t>(polygons));
+  }
+  output.polygon_offsets.reserve(polygons + 1);  // It starts with its 0.
+  output.polygon_vertices.reserve(polygon_sides);
+  std::size_t next_face = prediction.faces - polygons;
+  for (std::uint32_t f = 0; polygons > 0 && f < mesh.face_count(); ++f) {
+    if (stays_polygon(mesh, labels, f)) {
+      output.face_control_faces[next_face++] = f;
+      const auto corners = mesh.face(f);
+      output.polygon_vertices.insert(output.polygon_vertices.end(), corners.begin(), corners.end());
+      output.polygon_offsets.push_back(static_cast<std::uint32_t>(output.polygon_vertices.size()));
+    }
   }
   output.quads.resize(prediction.faces - polygons);
   return output;

@@ -15,12 +15,14 @@ namespace limn {
 struct CrackCheck {
   std::size_t boundary_edges = 0;          ///< Edges with one face.
   std::size_t control_boundary_edges = 0;  ///< Of those, edges that lie on a control boundary edge.
-  std::size_t nonmanifold_edges = 0;  ///< Edges with three or more faces, or two that disagree.
+  std::size_t nonmanifold_edges = 0;      ///< Edges with three or more faces, or two that disagree.
+  std::size_t missing_control_faces = 0;  ///< Control faces of which no refined face is left.
   std::vector<std::uint32_t> crack_faces;  ///< Faces beside a boundary edge that should not be one.
 
   /// No T-junction, no hole, no doubled edge.
   [[nodiscard]] bool is_watertight() const noexcept {
-    return nonmanifold_edges == 0 && boundary_edges == control_boundary_edges;
+    return nonmanifold_edges == 0 && missing_control_faces == 0 &&
+           boundary_edges == control_boundary_edges;
   }
 };
 
