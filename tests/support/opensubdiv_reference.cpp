@@ -1,0 +1,248 @@
+#include "support/opensubdiv_reference.h"
+
+#include <algorithm>
+
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefinerFactory.h>
+
+#include "limn/contract.h"
+
+namespace limn::test {
+namespace {
+
+using namespace OpenSubdiv;  // NOLINT(google-build-using-namespace): its version namespace.
+
+/// A position the way PrimvarRefiner wants it.
+struct Primvar {
+  glm::dvec3 value{0.0};
+
+  void Clear() { value = glm::dvec3(0.0); }
+  void AddWithWeight(const Primvar& other, double weight) { value += weight * other.value; }
+};
+
+std::vector<std::uint32_t> to_vector(const Far::ConstIndexArray& indices) {
+  std::vector<std::uint32_t> values;
+  for (int i = 0; i < indices.size(); ++i) {
+    values.push_back(static_cast<std::uint32_t>(indices[i]));
+  }
+  return values;
+}
+
+}  // namespace
+
+struct UniformHierarchy::Implementation {
+  std::unique_ptr<Far::TopologyRefiner> refiner;
+
+  [[nodiscard]] Far::TopologyLevel level(int k) const { return refiner->GetLevel(k); }
+};
+
+UniformHierarchy::UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners)
+    : implementation_(std::make_unique<Implementation>()) {
+  std::vector<int> sides;
+  std::vector<Far::Index> vertices;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    sides.push_back(static_cast<int>(face.size()));
+    vertices.insert(vertices.end(), face.begin(), face.end());
+  }
+  Far::TopologyDescriptor descriptor;
+  descriptor.numVertices = static_cast<int>(mesh.vertex_count());
+  descriptor.numFaces = static_cast<int>(mesh.face_count());
+  descriptor.numVertsPerFace = sides.data();
+  descriptor.vertIndicesPerFace = vertices.data();
+
+  Sdc::Options options;
+  options.SetVtxBoundaryInterpolation(corners == CornerRule::kSharp
+                                          ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
+                                          : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+  using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+  implementation_->refiner.reset(
+      Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_CATMARK, options)));
+  LIMN_EXPECTS(implementation_->refiner != nullptr);
+  Far::TopologyRefiner::UniformOptions uniform(levels);
+  uniform.fullTopologyInLastLevel = true;
+  implementation_->refiner->RefineUniform(uniform);
+}
+
+UniformHierarchy::~UniformHierarchy() = default;
+
+int UniformHierarchy::levels() const {
+  return implementation_->refiner->GetMaxLevel();
+}
+
+std::vector<std::vector<glm::dvec3>> UniformHierarchy::positions(
+    std::span<const glm::dvec3> control) const {
+  const Far::PrimvarRefinerReal<double> refiner(*implementation_->refiner);
+  std::vector<std::vector<glm::dvec3>> all{{control.begin(), control.end()}};
+  std::vector<Primvar> from;
+  for (const glm::dvec3& position : control) {
+    from.push_back({position});
+  }
+  for (int level = 1; level <= levels(); ++level) {
+    std::vector<Primvar> to(vertex_count(level));
+    refiner.Interpolate(level, from, to);
+    all.emplace_back();
+    for (const Primvar& primvar : to) {
+      all.back().push_back(primvar.value);
+    }
+    from = std::move(to);
+  }
+  return all;
+}
+
+std::uint32_t UniformHierarchy::vertex_count(int level) const {
+  return static_cast<std::uint32_t>(implementation_->level(level).GetNumVertices());
+}
+
+std::uint32_t UniformHierarchy::edge_count(int level) const {
+  return static_cast<std::uint32_t>(implementation_->level(level).GetNumEdges());
+}
+
+std::uint32_t UniformHierarchy::face_count(int level) const {
+  return static_cast<std::uint32_t>(implementation_->level(level).GetNumFaces());
+}
+
+std::vector<std::uint32_t> UniformHierarchy::face_vertices(int level, std::uint32_t face) const {
+  return to_vector(implementation_->level(level).GetFaceVertices(static_cast<int>(face)));
+}
+
+std::vector<std::uint32_t> UniformHierarchy::face_edges(int level, std::uint32_t face) const {
+  return to_vector(implementation_->level(level).GetFaceEdges(static_cast<int>(face)));
+}
+
+std::array<std::uint32_t, 2> UniformHierarchy::edge_vertices(int level, std::uint32_t edge) const {
+  const auto ends = implementation_->level(level).GetEdgeVertices(static_cast<int>(edge));
+  return {static_cast<std::uint32_t>(ends[0]), static_cast<std::uint32_t>(ends[1])};
+}
+
+std::vector<std::uint32_t> UniformHierarchy::child_faces(int level, std::uint32_t face) const {
+  return to_vector(implementation_->level(level).GetFaceChildFaces(static_cast<int>(face)));
+}
+
+std::uint32_t UniformHierarchy::child_of_face(int level, std::uint32_t face) const {
+  return static_cast<std::uint32_t>(
+      implementation_->level(level).GetFaceChildVertex(static_cast<int>(face)));
+}
+
+std::uint32_t UniformHierarchy::child_of_edge(int level, std::uint32_t edge) const {
+  return static_cast<std::uint32_t>(
+      implementation_->level(level).GetEdgeChildVertex(static_cast<int>(edge)));
+}
+
+std::uint32_t UniformHierarchy::child_of_vertex(int level, std::uint32_t vertex) const {
+  return static_cast<std::uint32_t>(
+      implementation_->level(level).GetVertexChildVertex(static_cast<int>(vertex)));
+}
+
+ReferenceMesh reference_refinement(const UniformHierarchy& hierarchy, const VertexLabels& labels,
+                                   int levels) {
+  ReferenceMesh mesh;
+  std::vector<int> label(labels.begin(), labels.end());
+  std::vector<std::uint32_t> identity(labels.size());  // Into mesh.vertices, or kNone.
+  for (std::uint32_t v = 0; v < labels.size(); ++v) {
+    mesh.vertices.push_back({0, v});
+    identity[v] = v;
+  }
+  struct Active {
+    std::uint32_t face;
+    std::uint32_t control_face;
+  };
+  std::vector<Active> active;
+  for (std::uint32_t f = 0; f < hierarchy.face_count(0); ++f) {
+    active.push_back({f, f});
+  }
+
+  for (int k = 0; !active.empty(); ++k) {
+    const auto emit = [&](const std::vector<std::uint32_t>& vertices, int level,
+                          std::uint32_t control_face,
+                          const std::vector<std::uint32_t>& identities) {
+      ReferenceMesh::Face face{{}, level, control_face};
+      for (const std::uint32_t v : vertices) {
+        LIMN_EXPECTS(identities[v] != kNone);
+        face.vertices.push_back(identities[v]);
+      }
+      mesh.faces.push_back(std::move(face));
+    };
+    const auto is_positive = [&](std::uint32_t v) { return label[v] > 0; };
+    if (k == levels || std::ranges::none_of(label, [](int l) { return l > 0; })) {
+      for (const Active& here : active) {
+        emit(hierarchy.face_vertices(k, here.face), k, here.control_face, identity);
+      }
+      break;
+    }
+
+    std::vector<int> next_label(hierarchy.vertex_count(k + 1), 0);
+    std::vector<std::uint32_t> next_identity(hierarchy.vertex_count(k + 1), kNone);
+    std::vector<char> moves(label.size(), 0);
+    for (std::uint32_t e = 0; e < hierarchy.edge_count(k); ++e) {
+      const auto [a, b] = hierarchy.edge_vertices(k, e);
+      if (is_positive(a) || is_positive(b)) {
+        moves[a] = moves[b] = 1;
+        const std::uint32_t child = hierarchy.child_of_edge(k, e);
+        next_label[child] = std::max(0, std::min(label[a], label[b]) - 1);
+        next_identity[child] = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back({k + 1, child});
+      }
+    }
+    for (std::uint32_t v = 0; v < label.size(); ++v) {
+      const std::uint32_t child = hierarchy.child_of_vertex(k, v);
+      next_label[child] = std::max(0, label[v] - 1);
+      next_identity[child] = identity[v];
+      if (moves[v] != 0) {
+        LIMN_EXPECTS(identity[v] != kNone);
+        mesh.vertices[identity[v]] = {k + 1, child};
+      }
+    }
+
+    std::vector<Active> next_active;
+    for (const Active& here : active) {
+      const auto v = hierarchy.face_vertices(k, here.face);
+      const auto e = hierarchy.face_edges(k, here.face);
+      const std::size_t n = v.size();
+      const auto positive = static_cast<std::size_t>(std::ranges::count_if(v, is_positive));
+      if (positive == 0) {
+        emit(v, k, here.control_face, identity);
+        continue;
+      }
+      const std::uint32_t centre = hierarchy.child_of_face(k, here.face);
+      next_identity[centre] = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.push_back({k + 1, centre});
+      const auto children = hierarchy.child_faces(k, here.face);
+      if (positive == 1 && n == 4) {
+        const auto at = static_cast<std::size_t>(std::ranges::find_if(v, is_positive) - v.begin());
+        next_active.push_back({children[at], here.control_face});
+        const std::uint32_t e5 = hierarchy.child_of_edge(k, e[at]);
+        const std::uint32_t e8 = hierarchy.child_of_edge(k, e[(at + 3) % 4]);
+        const std::uint32_t v2 = hierarchy.child_of_vertex(k, v[(at + 1) % 4]);
+        const std::uint32_t v3 = hierarchy.child_of_vertex(k, v[(at + 2) % 4]);
+        const std::uint32_t v4 = hierarchy.child_of_vertex(k, v[(at + 3) % 4]);
+        emit({e5, v2, v3, centre}, k + 1, here.control_face, next_identity);
+        emit({e8, centre, v3, v4}, k + 1, here.control_face, next_identity);
+        continue;
+      }
+      if (n == 4) {
+        LIMN_EXPECTS(positive > 2 || is_positive(v[0]) == is_positive(v[2]));
+      } else {
+        LIMN_EXPECTS(positive == n);
+      }
+      int least = 0;
+      for (const std::uint32_t edge : e) {
+        const int at_edge = next_label[hierarchy.child_of_edge(k, edge)];
+        if (at_edge > 0 && (least == 0 || at_edge < least)) {
+          least = at_edge;
+        }
+      }
+      next_label[centre] = least;
+      for (const std::uint32_t child : children) {
+        next_active.push_back({child, here.control_face});
+      }
+    }
+    active = std::move(next_active);
+    label = std::move(next_label);
+    identity = std::move(next_identity);
+  }
+  return mesh;
+}
+
+}  // namespace limn::test

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "limn/mesh/control_mesh.h"
+#include "limn/subdivision/labels.h"
+#include "limn/subdivision/settings.h"
+
+// OpenSubdiv as the judge of positions and, through its parent-child relations, of connectivity.
+namespace limn::test {
+
+/// A control mesh after 0..levels uniform Catmull-Clark steps, by OpenSubdiv in double precision.
+/// Level 0 has the control mesh's vertex and face numbers.
+class UniformHierarchy {
+ public:
+  UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners);
+  ~UniformHierarchy();
+  UniformHierarchy(const UniformHierarchy&) = delete;
+  UniformHierarchy& operator=(const UniformHierarchy&) = delete;
+
+  [[nodiscard]] int levels() const;
+  /// Positions of all levels from the given ones at level 0: `[level][vertex]`.
+  [[nodiscard]] std::vector<std::vector<glm::dvec3>> positions(
+      std::span<const glm::dvec3> control) const;
+
+  [[nodiscard]] std::uint32_t vertex_count(int level) const;
+  [[nodiscard]] std::uint32_t edge_count(int level) const;
+  [[nodiscard]] std::uint32_t face_count(int level) const;
+  [[nodiscard]] std::vector<std::uint32_t> face_vertices(int level, std::uint32_t face) const;
+  /// Edge i runs from vertex i of the face to the next.
+  [[nodiscard]] std::vector<std::uint32_t> face_edges(int level, std::uint32_t face) const;
+  [[nodiscard]] std::array<std::uint32_t, 2> edge_vertices(int level, std::uint32_t edge) const;
+  /// What becomes of something of this level in the next one. Child face i lies at corner i.
+  [[nodiscard]] std::vector<std::uint32_t> child_faces(int level, std::uint32_t face) const;
+  [[nodiscard]] std::uint32_t child_of_face(int level, std::uint32_t face) const;
+  [[nodiscard]] std::uint32_t child_of_edge(int level, std::uint32_t edge) const;
+  [[nodiscard]] std::uint32_t child_of_vertex(int level, std::uint32_t vertex) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// The adaptive mesh that labels ask for, told in vertices of the uniform hierarchy.
+struct ReferenceMesh {
+  struct Vertex {
+    int level = 0;            ///< At which it was made or last moved,
+    std::uint32_t index = 0;  ///< and its number there.
+  };
+  struct Face {
+    std::vector<std::uint32_t> vertices;  ///< Into `vertices`.
+    int level = 0;
+    std::uint32_t control_face = 0;
+  };
+  std::vector<Vertex> vertices;  ///< Control vertices first, in order.
+  std::vector<Face> faces;
+};
+
+/// The rules of one level, spelled out on the uniform meshes without regard to cost: an
+/// implementation that shares nothing with the library's.
+[[nodiscard]] ReferenceMesh reference_refinement(const UniformHierarchy& hierarchy,
+                                                 const VertexLabels& labels, int levels);
+
+}  // namespace limn::test
