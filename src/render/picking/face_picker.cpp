@@ -1,8 +1,10 @@
+// Two numbers stand for a face here: its place in the drawn surface (plus 1) in the image, and its
+// control face everywhere else. The surface's face records lead from one to the other, on the CPU
+// for the few pixels of a brush and in a compute shader for the whole image.
 #include "render/picking/face_picker.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <span>
 
 #include "render/shader_library.h"
@@ -28,12 +30,13 @@ FacePicker::FacePicker()
       visible_bits_(gl::Buffer::create("visible faces")) {}
 
 bool FacePicker::update(const PickScene& scene) {
-  const Key key{&scene.surface, scene.surface.revision(),
-                clip_from_local(scene.camera, scene.surface.origin()), scene.camera.size};
+  const Key key{scene.surface.upload_id(), clip_from_local(scene.camera, scene.surface.origin()),
+                scene.camera.size};
   const bool is_something = !key.size.is_empty() && scene.surface.face_count() > 0;
   if (key == key_) {
     return is_something;
   }
+  key_ = Key();  // In case of an exception below.
   image_.resize(key.size);
   if (is_something) {
     image_.begin();

@@ -33,10 +33,11 @@ struct PickedFace {
 /// Tells which faces show where.
 ///
 /// Every drawn face writes its number into an image of the framebuffer's size; what the mouse and
-/// the rules ask is answered from that image. It is drawn again only where the surface, its
-/// revision, the camera or the size differ from the last question's, so that moving the mouse over
-/// a still picture draws nothing. The image holds drawn faces, and the surface's own face records
-/// lead from them to control faces: painting on a refined surface paints the control face.
+/// the rules ask is answered from that image. It is drawn again only where the surface, what
+/// was uploaded to it, the camera or the size differ from the last question's, so that moving the
+/// mouse over a still picture draws nothing. The image holds drawn faces, and the surface's own
+/// face records lead from them to control faces: painting on a refined surface paints the control
+/// face.
 ///
 /// Every member function needs the context of construction to be current, and leaves its own
 /// framebuffer, program and depth test set. All throw EnvironmentError where the driver cannot make
@@ -67,8 +68,7 @@ class FacePicker {
  private:
   /// What the image shows.
   struct Key {
-    const SurfaceBuffers* surface = nullptr;
-    std::uint64_t revision = 0;
+    std::uint64_t upload_id = 0;
     glm::mat4 clip_from_local{0.0F};
     FramebufferSize size;
 

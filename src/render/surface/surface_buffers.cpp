@@ -2,6 +2,7 @@
 #include "render/surface/surface_buffers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct DrawCommand {
 static_assert(sizeof(glm::vec3) == 12);
 
 constexpr std::uint32_t kLevelShift = 28;
+
+std::uint64_t next_upload_id() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
 
 Result<void> require_room(std::size_t bytes, const char* what) {
   GLint64 most = 0;
@@ -95,6 +101,7 @@ Result<void> SurfaceBuffers::upload(const Surface& surface, std::uint64_t revisi
   edge_count_ = surface.edges.size();
   control_face_count_ = surface.control_face_count;
   revision_ = revision;
+  upload_id_ = next_upload_id();
   return {};
 }
 

@@ -30,8 +30,9 @@ class SurfaceBuffers {
   /// Whether the last upload was of this revision.
   [[nodiscard]] bool has(std::uint64_t revision) const noexcept { return revision_ == revision; }
 
-  /// The revision of the last upload; 0 before the first.
-  [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
+  /// A number that no other upload of this program has, of whatever buffers; 0 before the first.
+  /// Who derives something from the contents knows by it when to do so again.
+  [[nodiscard]] std::uint64_t upload_id() const noexcept { return upload_id_; }
 
   /// Binds slots 0-3 and 5 of surface.glsl and draws all faces with the program in use.
   void draw() const;
@@ -68,6 +69,7 @@ class SurfaceBuffers {
   std::size_t edge_count_ = 0;
   std::size_t control_face_count_ = 0;
   std::uint64_t revision_ = 0;
+  std::uint64_t upload_id_ = 0;
 };
 
 }  // namespace limn::render
