@@ -10,6 +10,7 @@ layout(std430, binding = 8) restrict readonly buffer SurfaceEdges { uint surface
 layout(location = 0) uniform float width;  // pixels
 
 noperspective out float from_middle;  // pixels across the ribbon
+flat out float faintness;  // of edges a few pixels long, which would drown the surface
 
 vec4 end_of_edge(uint end) {
   uint vertex = surface_edges[end];
@@ -28,6 +29,7 @@ void main() {
   if (a_inside < 0.0 && b_inside < 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     from_middle = 0.0;
+    faintness = 0.0;
     return;
   }
   if (a_inside < 0.0) {
@@ -49,4 +51,5 @@ void main() {
   position.z -= 2e-5 * position.w;
   gl_Position = position;
   from_middle = side * reach;
+  faintness = mix(0.3, 1.0, smoothstep(5.0 * viewport.z, 40.0 * viewport.z, size));
 }

@@ -78,7 +78,10 @@ void main() {
     float narrow = sides == 4 ? min(pixels.x + pixels.z, pixels.y + pixels.w)
                                   : pixels.x + pixels.y + pixels.z;
     float strength = sides > 4 ? 1.0 : mix(0.3, 1.0, smoothstep(1.5 * unit, 6.0 * unit, narrow));
-    shown = mix(shown, wire.rgb, wire.a * strength * line(nearest, unit));
+    // Black is not seen on the darkest depths, where the edges matter most: there they are light.
+    float brightness = dot(shown, vec3(0.299, 0.587, 0.114));
+    vec4 ink = mix(vec4(1.0, 1.0, 1.0, 0.28), wire, smoothstep(0.2, 0.3, brightness));
+    shown = mix(shown, ink.rgb, ink.a * strength * line(nearest, unit));
   }
   if (is_highlighted) {
     shown = mix(shown, accent.rgb, 0.9 * line(nearest, 2.5 * unit));

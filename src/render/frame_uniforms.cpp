@@ -67,7 +67,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const glm::dvec3& origin,
   frame.relabelled = srgb(kRelabelledColour);
   frame.accent = srgb(kAccentColour);
   frame.wire = srgb(kBlack, 0.35F);
-  frame.cage = settings.theme == Theme::kDark ? srgb(kDarkCage, 0.75F) : srgb(kLightCage, 0.75F);
+  frame.cage = settings.theme == Theme::kDark ? srgb(kDarkCage, 0.75F) : srgb(kLightCage, 0.65F);
   frame.options = option_bits(settings);
   return frame;
 }

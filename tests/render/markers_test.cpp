@@ -1,0 +1,62 @@
+#include "render/surface/markers.h"
+
+#include <gmock/gmock.h>
+
+#include <glm/vec2.hpp>
+
+#include "render/digit_strokes.h"
+#include "support/sample_meshes.h"
+
+namespace limn::render {
+namespace {
+
+TEST(Markers, LabelsStandAtTheirVertices) {
+  const auto mesh = test::cube_mesh();
+  const VertexLabels labels{0, 1, 2, 3, 4, 5, 6, 7};
+  const std::vector<std::uint32_t> illegal{0, 5};
+  const std::vector<LegalisationStep> steps{{2, 1, 0}};
+  const std::vector<Marker> markers = label_markers(*mesh, labels, illegal, steps);
+  ASSERT_EQ(markers.size(), 8U);
+  for (std::size_t v = 0; v < 8; ++v) {
+    EXPECT_EQ(markers[v].number, labels[v]);
+    EXPECT_EQ(markers[v].position, glm::vec3(mesh->positions()[v]));
+  }
+  EXPECT_EQ(markers[0].style, MarkerStyle::kIllegal);
+  EXPECT_EQ(markers[1].style, MarkerStyle::kLabel);
+  EXPECT_EQ(markers[2].style, MarkerStyle::kRelabelled);
+  EXPECT_EQ(markers[5].style, MarkerStyle::kIllegal);
+}
+
+TEST(Markers, DepthsStandAtTheCentroidsOfPaintedFaces) {
+  const auto mesh = test::cube_mesh();
+  const std::vector<std::uint8_t> depths{0, 3, 0, 0, 0, 10};
+  const std::vector<Marker> markers = depth_markers(*mesh, depths);
+  ASSERT_EQ(markers.size(), 2U);
+  EXPECT_EQ(markers[0].number, 3);
+  EXPECT_EQ(markers[0].position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(markers[1].number, 10);
+  EXPECT_EQ(markers[1].position, glm::vec3(0, 0, 1));
+}
+
+TEST(DigitStrokes, StayWithinTheirBoxAndReachTopAndBottom) {
+  const DigitStrokes font = make_digit_strokes();
+  EXPECT_EQ(font.first[10], font.strokes.size());
+  for (std::size_t digit = 0; digit < 10; ++digit) {
+    float low = 2.0F;
+    float high = -1.0F;
+    for (std::uint32_t i = font.first[digit]; i < font.first[digit + 1]; ++i) {
+      const glm::vec4& stroke = font.strokes[i];
+      for (const glm::vec2 end : {glm::vec2(stroke.x, stroke.y), glm::vec2(stroke.z, stroke.w)}) {
+        EXPECT_GE(end.x, -0.03F) << digit;
+        EXPECT_LE(end.x, 0.63F) << digit;
+        low = std::min(low, end.y);
+        high = std::max(high, end.y);
+      }
+    }
+    EXPECT_NEAR(low, 0.0F, 0.03F) << digit;
+    EXPECT_NEAR(high, 1.0F, 0.03F) << digit;
+  }
+}
+
+}  // namespace
+}  // namespace limn::render
