@@ -10,7 +10,8 @@ namespace limn::ui {
 
 void draw_display_section(PanelContext& context) {
   using enum ActionId;
-  action_choice(context, std::array<Action, 3>{kShowControl, kShowRefined, kShowBoth});
+  action_choice(context, std::array{Choice{kShowControl, "Control"},
+                                    Choice{kShowRefined, "Refined"}, Choice{kShowBoth, "Both"}});
   constexpr std::array<ActionId, 6> kToggles{kToggleWireframe,    kToggleSmooth,
                                              kToggleLight,        kToggleLabels,
                                              kToggleIllegalMarks, kToggleOrthographic};
@@ -23,7 +24,8 @@ void draw_display_section(PanelContext& context) {
     action_toggle(context, kToggles[i], width);
   }
   ImGui::PopStyleVar();
-  action_choice(context, std::array<Action, 2>{kThemeDark, kThemeLight});
+  ImGui::Dummy({0.0F, context.px(2)});
+  action_choice(context, std::array{Choice{kThemeDark, "Dark"}, Choice{kThemeLight, "Light"}});
 }
 
 }  // namespace limn::ui

@@ -30,7 +30,7 @@ constexpr std::array<MouseLine, 8> kMouse{{{"Use the tool", "Left drag"},
 void line(PanelContext& context, std::string_view what, std::string_view how) {
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float width = room();
-  const float height = context.px(22);
+  const float height = context.px(20);
   ImGui::Dummy({width, height});
   const float y = std::floor(start.y + (height - ImGui::GetFontSize()) / 2.0F);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -43,7 +43,7 @@ void line(PanelContext& context, std::string_view what, std::string_view how) {
 }
 
 void group_title(PanelContext& context, std::string_view text) {
-  ImGui::Dummy({0.0F, context.px(4)});
+  ImGui::Dummy({0.0F, context.px(6)});
   ImGui::PushFont(context.fonts.body_strong);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopFont();
@@ -72,7 +72,7 @@ void draw_help_sheet(PanelContext& context) {
                                      : "Keys and mouse: classroom keys");
   ImGui::PopFont();
 
-  const float foot = context.px(28) + 2.0F * ImGui::GetStyle().ItemSpacing.y;
+  const float foot = context.px(28) + ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("##help", {0.0F, ImGui::GetContentRegionAvail().y - foot});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), context.px(2)});
   const bool is_wide = room() > context.px(640);

@@ -72,7 +72,7 @@ void draw(PanelContext& context, const ErrorDialog& dialog) {
   if (!dialog.error.path.empty()) {
     std::string place = dialog.error.path;
     if (dialog.error.line > 0) {
-      place += ", line " + grouped(dialog.error.line);
+      place += ", line " + std::to_string(dialog.error.line);
     }
     ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
     paragraph(place);
@@ -110,7 +110,7 @@ void draw(PanelContext& context, const PathPrompt& prompt) {
 /// Design units. Height 0: as high as the contents.
 ImVec2 wanted_size(const Modal& modal) {
   if (std::holds_alternative<HelpSheet>(modal)) {
-    return {860.0F, 640.0F};
+    return {880.0F, 740.0F};
   }
   if (std::holds_alternative<PathPrompt>(modal)) {
     return {620.0F, 520.0F};

@@ -25,10 +25,10 @@ void control_rows(PanelContext& context) {
   value_row(context, {"Vertices", grouped(s.vertices), "Vertices of the control mesh."});
   value_row(context, {"Edges", grouped(s.edges), "Edges of the control mesh."});
   value_row(context, {"Faces", grouped(s.faces), "Faces of the control mesh."});
-  value_row(context, {"Triangles, quads, others",
-                      grouped(triangles) + " · " + grouped(quads) + " · " +
-                          grouped(s.faces - triangles - quads),
-                      "Faces of the control mesh by their number of sides."});
+  value_row(context, {"Triangles", grouped(triangles), "Faces with three sides."});
+  value_row(context, {"Quads", grouped(quads), "Faces with four sides."});
+  value_row(context, {"Other faces", grouped(s.faces - triangles - quads),
+                      "Faces with five sides or more."});
   value_row(context, {"Boundary edges", grouped(s.boundary_edges),
                       "Edges with one face only, where the surface ends."});
   value_row(context, {"Euler characteristic", grouped(s.euler_characteristic),
@@ -75,8 +75,10 @@ void draw_numbers_section(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), context.px(1)});
   sub_heading(context, "Control mesh");
   control_rows(context);
+  ImGui::Dummy({0.0F, context.px(8)});
   sub_heading(context, "Refined mesh");
   refined_rows(context);
+  ImGui::Dummy({0.0F, context.px(8)});
   sub_heading(context, "Program");
   value_row(context, {"Frame", seconds_text(context.model.frame_seconds),
                       "Time between the last two pictures."});

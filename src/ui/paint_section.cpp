@@ -70,7 +70,7 @@ void target_depth_row(PanelContext& context) {
 
 void draw_paint_section(PanelContext& context) {
   using enum ActionId;
-  action_choice(context, std::array<Action, 2>{kBrushAdds, kBrushSets});
+  action_choice(context, std::array{Choice{kBrushAdds, "Add 1"}, Choice{kBrushSets, "Set depth"}});
   target_depth_row(context);
   action_slider(context, kSetBrushRadius, context.model.brush.radius,
                 {.label = "Brush radius",

@@ -147,6 +147,8 @@ void entry_list(PanelContext& context, const PathPrompt& prompt, float height) {
   ImGui::EndChild();
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();
+  // The child ended under its own spacing of 0.
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y);
 }
 
 void name_row(PanelContext& context, const PathPrompt& prompt) {

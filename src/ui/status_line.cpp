@@ -36,32 +36,23 @@ std::string drag_hint(const Model& model) {
   return "Moving the view";
 }
 
-void draw_right(const PanelContext& context, float y, float& right) {
-  const Model& model = context.model;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto put = [&](const std::string& text, ImU32 colour) {
-    right -= ImGui::CalcTextSize(text.c_str()).x;
-    list.AddText({std::floor(right), y}, colour, text.c_str());
-    right -= context.px(20);
+/// "12,480 faces, 31 % of uniform"; of the mesh to come while there is none.
+std::string cost_text(const RefinementStatus& refinement) {
+  const auto text = [](std::uint64_t faces, std::uint64_t uniform, const char* note) {
+    return counted(faces, "face") + note + ", " +
+           percent_text(static_cast<double>(faces), static_cast<double>(uniform)) + " of uniform";
   };
-  const RefinementStatus& refinement = model.refinement;
   if (refinement.result) {
-    put(counted(refinement.result->faces, "face") + ", " +
-            percent_text(static_cast<double>(refinement.result->faces),
-                         static_cast<double>(refinement.result->uniform_faces)) +
-            " of uniform",
-        context.colours.text);
-  } else if (refinement.prediction != nullptr) {
-    put(counted(refinement.prediction->faces, "face") + " to come, " +
-            percent_text(static_cast<double>(refinement.prediction->faces),
-                         static_cast<double>(refinement.prediction->uniform_faces)) +
-            " of uniform",
-        context.colours.text);
+    return text(refinement.result->faces, refinement.result->uniform_faces, "");
   }
-  if (model.hover && right > static_cast<float>(context.px(560))) {
-    put("Face " + grouped(model.hover->face) + ", depth " + std::to_string(model.hover->depth),
-        context.colours.dim_text);
+  if (refinement.prediction != nullptr) {
+    return text(refinement.prediction->faces, refinement.prediction->uniform_faces, " to come");
   }
+  return {};
+}
+
+float width_of(const std::string& text) {
+  return ImGui::CalcTextSize(text.c_str()).x;
 }
 
 }  // namespace
@@ -102,11 +93,22 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
   ImGui::PushFont(context.fonts.small);
   const float y = std::floor(origin.y + (height - ImGui::GetFontSize()) / 2.0F);
   const float pad = context.px(12);
-  float right = origin.x + width - pad;
-  draw_right(context, y, right);
   const bool is_over_control = !context.hint.empty() && !input.owns_drag;
-  const std::string hint = fit_text(
-      is_over_control ? context.hint : mouse_hint(context.model, input), right - origin.x - pad);
+  const std::string wanted = is_over_control ? context.hint : mouse_hint(context.model, input);
+  const std::string cost = cost_text(context.model.refinement);
+  float right = origin.x + width - pad - width_of(cost);
+  list.AddText({std::floor(right), y}, context.colours.text, cost.c_str());
+  right -= context.px(20);
+  if (const std::optional<HoverInfo>& hover = context.model.hover) {
+    const std::string face =
+        "Face " + grouped(hover->face) + ", depth " + std::to_string(hover->depth);
+    const float left = right - width_of(face);
+    if (left - context.px(20) > origin.x + pad + width_of(wanted)) {
+      list.AddText({std::floor(left), y}, context.colours.dim_text, face.c_str());
+      right = left - context.px(20);
+    }
+  }
+  const std::string hint = fit_text(wanted, right - origin.x - pad);
   list.AddText({origin.x + pad, y}, context.colours.dim_text, hint.c_str());
   ImGui::PopFont();
   ImGui::End();

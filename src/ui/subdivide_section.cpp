@@ -50,7 +50,7 @@ void steps(PanelContext& context) {
   const float width = std::floor((room() - gap) * 0.6F);
   action_button(context, kSubdivide, {.width = width, .is_primary = true});
   ImGui::SameLine(0.0F, gap);
-  action_button(context, kSubdivideOneLevel);
+  action_button(context, kSubdivideOneLevel, {.label = "One level"});
   action_button(context, kBackToControl);
 }
 
@@ -95,14 +95,16 @@ void draw_subdivide_section(PanelContext& context) {
   action_button(context, kRemoveIllegal);
 
   sub_heading(context, "Faces that are not quads");
-  action_choice(context, std::array<Action, 2>{kNonQuadsUniformFirstStep, kNonQuadsWherePainted});
+  action_choice(context, std::array{Choice{kNonQuadsUniformFirstStep, "Split all once"},
+                                    Choice{kNonQuadsWherePainted, "Where painted"}});
   sub_heading(context, "Boundary corners");
-  action_choice(context, std::array<Action, 2>{kCornersSharp, kCornersSmooth});
+  action_choice(context,
+                std::array{Choice{kCornersSharp, "Stay"}, Choice{kCornersSmooth, "Round off"}});
 
   sub_heading(context, "Control mesh");
   const float gap = context.px(6);
   const float width = std::floor((room() - gap) * 0.4F);
-  action_button(context, kApply, {.width = width});
+  action_button(context, kApply, {.label = "Apply", .width = width});
   ImGui::SameLine(0.0F, gap);
   action_button(context, kRevert, {.label = "Revert to opened"});
 }

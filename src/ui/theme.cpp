@@ -38,7 +38,7 @@ constexpr ThemeColours kLight{
     .text = rgb(0x202124),
     .dim_text = rgb(0x5F6368),
     .hairline = rgb(0xD3D6DB),
-    .field = rgb(0xE6E8EC),
+    .field = rgb(0xEBEDF1),
     .control = rgb(0xE1E4E9),
     .control_hovered = rgb(0xD6DAE0),
     .control_pressed = rgb(0xC9CED6),
@@ -127,7 +127,7 @@ void apply_style(ImGuiStyle& style, Theme theme, float unit) {
   set(ImGuiCol_Button, c.control);
   set(ImGuiCol_ButtonHovered, c.control_hovered);
   set(ImGuiCol_ButtonActive, c.control_pressed);
-  set(ImGuiCol_Header, faded(c.control, 0.8F));
+  set(ImGuiCol_Header, faded(c.accent, 0.28F));
   set(ImGuiCol_HeaderHovered, c.control_hovered);
   set(ImGuiCol_HeaderActive, c.control_pressed);
   set(ImGuiCol_Separator, c.hairline);

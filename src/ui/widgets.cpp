@@ -266,7 +266,7 @@ void action_toggle(PanelContext& context, const Action& action, float width) {
   }
 }
 
-void action_choice(PanelContext& context, std::span<const Action> choices) {
+void action_choice(PanelContext& context, std::span<const Choice> choices) {
   const ThemeColours& c = context.colours;
   const float height = context.px(kButtonHeight);
   const auto count = static_cast<float>(choices.size());
@@ -276,22 +276,23 @@ void action_choice(PanelContext& context, std::span<const Action> choices) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(origin, {origin.x + width, origin.y + height}, c.field, context.px(5));
   for (std::size_t i = 0; i < choices.size(); ++i) {
+    const Action& action = choices[i].action;
     const auto at = static_cast<float>(i);
     const float left = std::floor(origin.x + width * at / count);
     const float right = std::floor(origin.x + width * (at + 1.0F) / count);
     ImGui::SetCursorScreenPos({left, origin.y});
     const bool is_pressed =
-        ImGui::InvisibleButton(widget_id(choices[i]).c_str(), {right - left, height});
-    const bool is_on = is_checked(context.model, choices[i]);
+        ImGui::InvisibleButton(widget_id(action).c_str(), {right - left, height});
+    const bool is_on = is_checked(context.model, action);
     if (is_on) {
       list.AddRectFilled({left + inset, origin.y + inset},
                          {right - inset, origin.y + height - inset}, c.selected, context.px(4));
     }
-    draw_centred(is_on || ImGui::IsItemHovered() ? c.text : c.dim_text, info(choices[i].id).label);
-    explain(context, choices[i]);
-    remember(context, info(choices[i].id).label);
+    draw_centred(is_on || ImGui::IsItemHovered() ? c.text : c.dim_text, choices[i].label);
+    explain(context, action);
+    remember(context, choices[i].label);
     if (is_pressed && !is_on) {
-      context.emit(choices[i]);
+      context.emit(action);
     }
   }
 }
@@ -314,7 +315,7 @@ void action_slider(PanelContext& context, ActionId id, double value, const Slide
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
   ImGui::TextUnformatted(look.label.data(), look.label.data() + look.label.size());
   ImGui::PopStyleColor();
-  ImGui::SameLine(context.px(100) + ImGui::GetStyle().WindowPadding.x);
+  ImGui::SameLine(context.px(108) + ImGui::GetStyle().WindowPadding.x);
   const float value_width = context.px(54);
   ImGui::SetNextItemWidth(room() - value_width);
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;

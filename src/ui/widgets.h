@@ -34,8 +34,12 @@ void action_row(PanelContext& context, std::span<const Action> actions);
 /// A check box with its label, `width` wide.
 void action_toggle(PanelContext& context, const Action& action, float width);
 
-/// One choice out of several, side by side.
-void action_choice(PanelContext& context, std::span<const Action> choices);
+/// One of several things side by side, under a name short enough for its place.
+struct Choice {
+  Action action;
+  std::string_view label;
+};
+void action_choice(PanelContext& context, std::span<const Choice> choices);
 
 /// A menu entry with its key.
 void action_menu_item(PanelContext& context, const Action& action, std::string_view label = {});

@@ -96,7 +96,9 @@ void Screen::click(WindowPoint at) {
   settle();
 }
 
-void Screen::click(std::string_view name) { click(middle(name)); }
+void Screen::click(std::string_view name) {
+  click(middle(name));
+}
 
 void Screen::key(Key which, Modifiers modifiers) {
   InputEvent next = event(modifiers);
@@ -149,6 +151,8 @@ WindowPoint Screen::middle(std::string_view name) const {
   return {at.origin.x + at.size.width / 2.0, at.origin.y + at.size.height / 2.0};
 }
 
-std::vector<Action> Screen::take_actions() { return std::exchange(actions_, {}); }
+std::vector<Action> Screen::take_actions() {
+  return std::exchange(actions_, {});
+}
 
 }  // namespace limn::ui
