@@ -110,7 +110,7 @@ void draw_help_sheet(PanelContext& context) {
   const float width = context.px(96);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room() - width);
   action_button(context, ActionId::kCancel, {.label = "Close", .width = width, .is_primary = true});
-  if (ImGui::IsKeyPressed(static_cast<int>(Key::kEnter), false)) {
+  if (is_enter_pressed() || ImGui::IsKeyPressed(static_cast<int>(Key::kF1), false)) {
     context.emit(ActionId::kCancel);
   }
 }

@@ -59,7 +59,7 @@ void answers(PanelContext& context, std::span<const Answer> all) {
     action_button(
         context, answer.action,
         {.label = answer.label, .width = width_of(answer), .is_primary = answer.is_default});
-    if (answer.is_default && ImGui::IsKeyPressed(static_cast<int>(Key::kEnter), false)) {
+    if (answer.is_default && is_enter_pressed()) {
       context.emit(answer.action);
     }
   }
@@ -119,6 +119,11 @@ ImVec2 wanted_size(const Modal& modal) {
 }
 
 }  // namespace
+
+bool is_enter_pressed() {
+  return ImGui::IsKeyPressed(static_cast<int>(Key::kEnter), false) ||
+         ImGui::IsKeyPressed(static_cast<int>(Key::kNumpadEnter), false);
+}
 
 void close_popups() {
   if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) {

@@ -18,6 +18,8 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
 void draw_overlays(PanelContext& context, const WindowRect& viewport);
 /// Dialogs, help sheet and path prompt: whatever Model::modal holds.
 void draw_modal(PanelContext& context, WindowSize window);
+/// Enter of either block went down in this frame.
+[[nodiscard]] bool is_enter_pressed();
 /// Closes every menu and dialog ImGui has open.
 void close_popups();
 

@@ -63,6 +63,16 @@ TEST(Dialogs, ADialogThatIsGoneLeavesEverythingAlive) {
   EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kRaiseAll)));
 }
 
+TEST(Dialogs, F1OpensTheHelpSheetAndClosesIt) {
+  Screen screen;
+  screen.key(Key::kF1);
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kHelp)));
+  screen.model.modal = HelpSheet{};
+  screen.settle();
+  screen.key(Key::kF1);
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kCancel)));
+}
+
 TEST(Dialogs, OneDialogCanFollowAnother) {
   Screen screen;
   screen.model.modal = OverBudgetQuestion{48'000'000, 3'000'000'000, 20'000'000};
