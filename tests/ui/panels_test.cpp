@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <set>
+#include <utility>
 
 #include "ui/action_table.h"
 #include "ui/keymap.h"
@@ -113,6 +114,41 @@ TEST(Panels, ASliderEmitsValuesInItsRange) {
   const std::vector<Action> actions = screen.take_actions();
   ASSERT_FALSE(actions.empty());
   EXPECT_EQ(actions.back(), Action(ActionId::kSetBrushRadius, kMaxBrushRadius));
+}
+
+TEST(Panels, AValueTypedIntoASliderFiresNoKeys) {
+  Screen screen;
+  const WindowPoint slider = screen.middle("Sharpness threshold");
+  screen.move(slider);
+  screen.settle();
+  InputEvent click;
+  click.time = 5.0;
+  click.modifiers.ctrl = true;
+  for (const bool is_down : {true, false}) {
+    click.what = ButtonChanged{MouseButton::kLeft, is_down};
+    screen.push(click);
+  }
+  screen.settle();
+  ASSERT_TRUE(screen.last().wants_text);
+  (void)screen.take_actions();
+  for (const auto& [key, character] : {std::pair{Key::k4, U'4'}, std::pair{Key::k5, U'5'}}) {
+    InputEvent typed;
+    typed.time = 6.0;
+    typed.what = KeyChanged{key, true, false};
+    screen.push(typed);
+    typed.what = TextTyped{character};
+    screen.push(typed);
+    typed.what = KeyChanged{key, false, false};
+    screen.push(typed);
+  }
+  screen.settle();
+  screen.key(Key::kEnter);
+  const std::vector<Action> actions = screen.take_actions();
+  ASSERT_FALSE(actions.empty());
+  for (const Action& action : actions) {
+    EXPECT_EQ(action.id, ActionId::kSetDihedralThreshold);
+  }
+  EXPECT_EQ(actions.back(), Action(ActionId::kSetDihedralThreshold, 45.0));
 }
 
 TEST(Panels, AClickOnAThatIsFollowedByAMoveToBInTheSameSlowFramePressesA) {
