@@ -93,9 +93,7 @@ ImguiRenderer::ImguiRenderer()
                                   stage(GL_FRAGMENT_SHADER, "interface.frag.glsl")})),
       vertex_array_(make_vertex_array()),
       vertices_(gl::Buffer::create("interface vertices")),
-      indices_(gl::Buffer::create("interface indices")) {
-  ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-}
+      indices_(gl::Buffer::create("interface indices")) {}
 
 void ImguiRenderer::set_atlas(ImFontAtlas& atlas, std::uint64_t revision) {
   if (atlas_revision_ == revision) {

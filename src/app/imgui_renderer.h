@@ -15,7 +15,8 @@ namespace limn::app {
 
 /// Draws what Dear ImGui made of a frame through our own OpenGL layer, in any of our contexts.
 ///
-/// The only texture is the font atlas: text, lines and fills all come from it.
+/// The only texture is the font atlas: text, lines and fills all come from it. Vertex offsets are
+/// heeded, so the context may have ImGuiBackendFlags_RendererHasVtxOffset.
 class ImguiRenderer {
  public:
   /// Needs a current context. Throws render::EnvironmentError where the shaders do not compile.

@@ -9,6 +9,7 @@
 #include "limn/progress.h"
 #include "limn/subdivision/labels.h"
 #include "limn/subdivision/prediction.h"
+#include "render/surface/surface.h"
 
 namespace limn::app {
 namespace {
@@ -191,6 +192,11 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
     return;
   }
   result.refinement = std::make_shared<const Refinement>(std::move(*refinement));
+  if (!progress.report(1.0, "Preparing the picture")) {
+    return;
+  }
+  result.surface = std::make_shared<const render::Surface>(render::make_surface(
+      *result.refinement->mesh, control.bounds().centre(), control.face_count()));
   result.is_final = true;
   publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
 }

@@ -16,6 +16,10 @@
 #include "limn/mesh/control_mesh.h"
 #include "limn/painting/face_depths.h"
 
+namespace limn::render {
+struct Surface;
+}
+
 namespace limn::app {
 
 /// Everything a refinement follows from. A copy, so that the document may change meanwhile.
@@ -35,6 +39,7 @@ struct JobResult {
   std::shared_ptr<const ControlMesh> control;
   std::shared_ptr<const DerivedLabels> labels;
   std::shared_ptr<const Refinement> refinement;    ///< Null where none was made, or not yet.
+  std::shared_ptr<const render::Surface> surface;  ///< Of the refined mesh, ready for drawing.
   RefinementPrediction prediction;                 ///< For the levels asked for.
   std::size_t illegal_left = 0;  ///< Illegal faces under the legal labels: 0, or it is a bug.
   bool is_over_budget = false;   ///< `prediction` was above the budget, so nothing was refined.

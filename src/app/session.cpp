@@ -41,6 +41,9 @@ bool Session::update(double now) {
   now_ = std::max(now_, now);
   refinement_.follow(document_, {is_stroking(), export_path_.has_value()});
   bool has_news = refinement_.update();
+  const bool is_busy = refinement_.is_busy();
+  has_news |= is_busy || was_busy_;  // The progress bar moves, or goes.
+  was_busy_ = is_busy;
   if (auto error = refinement_.take_error()) {
     export_path_.reset();
     show_error("The refinement failed", std::move(*error));
@@ -82,6 +85,7 @@ void Session::show(Project project) {
   is_framed_ = project.view.has_value();
   camera_.set(project.view ? *project.view
                            : render::default_view(document_.control->bounds(), aspect_));
+  remember_file(document_.project_path.empty() ? document_.mesh_path : document_.project_path);
   if (document_.import_report.is_mended()) {
     std::string text = document_.name + ":";
     for (const std::string& sentence : document_.import_report.sentences()) {

@@ -125,6 +125,8 @@ class Session {
   [[nodiscard]] bool may_lose_changes(const ui::Action& action, std::string next);
   void open(const std::string& name);
   void save(const std::filesystem::path& path);
+  /// Among the recent files, and its folder as the one to look in next.
+  void remember_file(const std::filesystem::path& path);
   void go_on();
   void start_export(const std::filesystem::path& path);
   void finish_export();
@@ -143,6 +145,7 @@ class Session {
   Document document_;
   History history_;
   LiveRefinement refinement_;
+  bool was_busy_ = false;  ///< At the last update.
   MeshFacts facts_;
 
   ui::DisplaySettings display_;

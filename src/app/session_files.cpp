@@ -117,12 +117,14 @@ void Session::open(const std::string& name) {
     return;
   }
   show(std::move(*project));
-  const fs::path& path =
-      document_.project_path.empty() ? document_.mesh_path : document_.project_path;
-  if (!path.empty()) {
-    std::error_code ignored;
-    remember_recent(recent_, fs::absolute(path, ignored).lexically_normal().string());
-    last_folder_ = fs::absolute(path, ignored).parent_path();
+}
+
+void Session::remember_file(const fs::path& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error).lexically_normal();
+  if (!path.empty() && !error) {
+    remember_recent(recent_, whole.string());
+    last_folder_ = whole.parent_path();
   }
 }
 
@@ -137,9 +139,7 @@ void Session::save(const fs::path& path) {
   }
   document_.project_path = path;
   history_.mark_saved();
-  std::error_code ignored;
-  remember_recent(recent_, fs::absolute(path, ignored).lexically_normal().string());
-  last_folder_ = fs::absolute(path, ignored).parent_path();
+  remember_file(path);
   toast(Kind::kDone, "Saved " + path.filename().string());
   if (goes_on_after_save_) {
     go_on();

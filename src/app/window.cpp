@@ -58,7 +58,7 @@ void set_context_hints() {
 
 /// Created as they are first asked for.
 struct Window::Cursors {
-  std::array<GLFWcursor*, 6> shapes{};
+  std::array<GLFWcursor*, 3> shapes{};
 
   ~Cursors() {
     for (GLFWcursor* cursor : shapes) {
@@ -68,9 +68,8 @@ struct Window::Cursors {
     }
   }
 
-  GLFWcursor* get(CursorShape shape) {
-    constexpr std::array kStandard = {GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR,   GLFW_HAND_CURSOR,
-                                      GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR, GLFW_ARROW_CURSOR};
+  GLFWcursor* get(ui::CursorShape shape) {
+    constexpr std::array kStandard = {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR};
     const auto index = static_cast<std::size_t>(shape);
     if (shapes[index] == nullptr) {
       shapes[index] = glfwCreateStandardCursor(kStandard[index]);
@@ -136,6 +135,12 @@ struct Window::Callbacks {
     of(window).is_damaged_ = true;
   }
 
+  static void moved(GLFWwindow* window, int, int) {
+    Window& self = of(window);
+    self.moved_under_alt_ |= self.modifiers_.alt;
+    self.is_damaged_ |= self.modifiers_.alt;
+  }
+
   static void damaged(GLFWwindow* window) { of(window).is_damaged_ = true; }
   static void resized(GLFWwindow* window, int, int) { of(window).is_damaged_ = true; }
   static void rescaled(GLFWwindow* window, float, float) { of(window).is_damaged_ = true; }
@@ -150,6 +155,7 @@ struct Window::Callbacks {
     glfwSetWindowFocusCallback(window, focus_changed);
     glfwSetDropCallback(window, files_dropped);
     glfwSetWindowCloseCallback(window, close_requested);
+    glfwSetWindowPosCallback(window, moved);
     glfwSetWindowRefreshCallback(window, damaged);
     glfwSetFramebufferSizeCallback(window, resized);
     glfwSetWindowSizeCallback(window, resized);
@@ -248,6 +254,10 @@ bool Window::take_close_request() noexcept {
   return std::exchange(close_requested_, false);
 }
 
+bool Window::take_moved_under_alt() noexcept {
+  return std::exchange(moved_under_alt_, false);
+}
+
 bool Window::take_damage() noexcept {
   return std::exchange(is_damaged_, false);
 }
@@ -263,14 +273,9 @@ void Window::set_title(const std::string& title) {
   }
 }
 
-void Window::set_cursor(CursorShape shape) {
-  if (shape == cursor_shape_) {
-    return;
-  }
-  cursor_shape_ = shape;
-  glfwSetInputMode(window_, GLFW_CURSOR,
-                   shape == CursorShape::kHidden ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
-  if (shape != CursorShape::kHidden) {
+void Window::set_cursor(ui::CursorShape shape) {
+  if (shape != cursor_shape_) {
+    cursor_shape_ = shape;
     glfwSetCursor(window_, cursors_->get(shape));
   }
 }

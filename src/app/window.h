@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "render/coordinates.h"
+#include "ui/gui.h"
 #include "ui/input.h"
 
 struct GLFWwindow;
 
 namespace limn::app {
-
-/// Mouse cursor shapes that every window system has.
-enum class CursorShape { kArrow, kText, kHand, kResizeHorizontal, kResizeVertical, kHidden };
 
 struct WindowSettings {
   std::string title = "Limn";
@@ -56,13 +54,16 @@ class Window {
   [[nodiscard]] std::vector<std::filesystem::path> take_dropped_files();
   /// Whether the person asked to close the window since the last call. It stays open.
   [[nodiscard]] bool take_close_request() noexcept;
+  /// Whether the window was moved while Alt was held, since the last call: then it is the window
+  /// system that takes Alt and drag, and the program never sees it.
+  [[nodiscard]] bool take_moved_under_alt() noexcept;
   /// Whether something happened since the last call after which the window must be drawn again.
   [[nodiscard]] bool take_damage() noexcept;
   /// Seconds on the clock that input events are stamped with.
   [[nodiscard]] static double now();
 
   void set_title(const std::string& title);
-  void set_cursor(CursorShape shape);
+  void set_cursor(ui::CursorShape shape);
   [[nodiscard]] std::string clipboard() const;
   void set_clipboard(const std::string& text);
 
@@ -78,12 +79,13 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   std::unique_ptr<Cursors> cursors_;
-  CursorShape cursor_shape_ = CursorShape::kArrow;
+  ui::CursorShape cursor_shape_ = ui::CursorShape::kArrow;
   std::string title_;
   ui::InputQueue input_;
   ui::Modifiers modifiers_;  ///< As of the last event that told.
   std::vector<std::filesystem::path> dropped_;
   bool close_requested_ = false;
+  bool moved_under_alt_ = false;
   bool is_damaged_ = true;
 };
 

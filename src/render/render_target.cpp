@@ -59,11 +59,13 @@ void RenderTarget::resolve() const {
                          size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void RenderTarget::resolve_to(GLuint framebuffer) const {
+void RenderTarget::resolve_to(GLuint framebuffer, glm::ivec2 lower_left) const {
   resolve();
   // In two steps: a multisampled blit needs equal formats, which a window's own need not have.
-  glBlitNamedFramebuffer(resolved_.id(), framebuffer, 0, 0, size_.x, size_.y, 0, 0, size_.x,
-                         size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const glm::ivec2 upper_right = lower_left + size_;
+  glBlitNamedFramebuffer(resolved_.id(), framebuffer, 0, 0, size_.x, size_.y, lower_left.x,
+                         lower_left.y, upper_right.x, upper_right.y, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
 }
 
 Image RenderTarget::read() const {

@@ -25,8 +25,9 @@ class RenderTarget {
   void bind() const;
   /// Averages the samples into the single-sampled image.
   void resolve() const;
-  /// Resolves, then copies into a framebuffer (0: the window's) whose size is the same.
-  void resolve_to(GLuint framebuffer) const;
+  /// Resolves, then copies into a framebuffer (0: the window's) at least as large, so that the
+  /// picture's lower left corner comes to lie at this pixel.
+  void resolve_to(GLuint framebuffer, glm::ivec2 lower_left = glm::ivec2(0)) const;
   /// Resolves and reads the picture back, opaque.
   [[nodiscard]] Image read() const;
 

@@ -25,6 +25,7 @@ class ImguiRendererTest : public testing::Test {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.Fonts->AddFontDefault();
     renderer_.emplace();
     renderer_->set_atlas(*io.Fonts, 1);

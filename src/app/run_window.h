@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "limn/error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace limn::app {
+
+/// What the window is started with.
+struct WindowOptions {
+  std::string input;  ///< A mesh file, a project or a bundled mesh's name; empty: the creature.
+  /// Where the state of the window is written as JSON whenever it comes to rest, for tests that
+  /// drive it from outside; empty: nowhere.
+  std::string status_file;
+};
+
+/// Adds the positional argument MESH and the window's flags.
+void add_window_options(CLI::App& program, WindowOptions& options);
+
+/// Opens the window and runs until it is closed.
+/// Errors: kBadInput where the input cannot be opened; then no window opens.
+/// Throws render::EnvironmentError where there is no display or no OpenGL 4.5.
+[[nodiscard]] Result<void> run_window(const WindowOptions& options);
+
+}  // namespace limn::app

@@ -1,0 +1,88 @@
+#include "app/status_file.h"
+
+#include <array>
+#include <string>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "app/session.h"
+#include "limn/atomic_file.h"
+#include "limn/mesh/refined_mesh.h"
+
+namespace limn::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json rect_json(const ui::WindowRect& rect) {
+  return {rect.origin.x, rect.origin.y, rect.size.width, rect.size.height};
+}
+
+std::string modal_name(const ui::Modal& modal) {
+  constexpr std::array kNames = {"", "error", "over_budget", "unsaved", "help", "path"};
+  static_assert(kNames.size() == std::variant_size_v<ui::Modal>);
+  return kNames.at(modal.index());
+}
+
+Json refined_json(const Session& session) {
+  const JobResult* result = session.refinement().refined();
+  if (result == nullptr) {
+    return nullptr;
+  }
+  const Refinement& refinement = *result->refinement;
+  return {{"faces", refinement.mesh->face_count()},
+          {"vertices", refinement.mesh->vertex_count()},
+          {"watertight", refinement.cracks.is_watertight()}};
+}
+
+Json matrix_json(const glm::dmat4& matrix) {
+  Json rows = Json::array();
+  for (int row = 0; row < 4; ++row) {
+    rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
+  }
+  return rows;
+}
+
+}  // namespace
+
+Result<void> write_status_file(const std::filesystem::path& path, const Status& status) {
+  const Session& session = status.session;
+  const Document& document = session.document();
+  Json toasts = Json::array();
+  for (const ui::Toast& toast : session.toasts()) {
+    toasts.push_back(toast.text);
+  }
+  Json items = Json::object();
+  for (const ui::ItemRect& item : status.items) {
+    items[item.name] = rect_json(item.rect);
+  }
+  const ViewState& view = session.view();
+  const Json json = {
+      {"title", session.title()},
+      {"window", {status.window.width, status.window.height}},
+      {"framebuffer", {status.framebuffer.width, status.framebuffer.height}},
+      {"viewport", rect_json(status.place.rect)},
+      {"view_projection", matrix_json(status.camera.view_projection)},
+      {"view", {{"yaw", view.yaw}, {"pitch", view.pitch}, {"distance", view.distance}}},
+      {"control_faces", document.control->face_count()},
+      {"depths",
+       std::vector<int>(document.depths.values().begin(), document.depths.values().end())},
+      {"stage", {{"legalised", document.stage.is_legalised}, {"levels", document.stage.levels}}},
+      {"undo", session.history().undo_name()},
+      {"redo", session.history().redo_name()},
+      {"modified", session.history().is_modified()},
+      {"busy", session.refinement().is_busy() || !session.refinement().is_up_to_date()},
+      {"refined", refined_json(session)},
+      {"hover", session.hover() ? Json(*session.hover()) : Json(nullptr)},
+      {"dihedral_threshold", session.dihedral_threshold()},
+      {"brush_radius", session.brush().radius},
+      {"modal", modal_name(session.modal())},
+      {"toasts", toasts},
+      {"items", items},
+  };
+  const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace);
+  return write_file_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
+}
+
+}  // namespace limn::app

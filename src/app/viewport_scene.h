@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/viewport_controller.h"
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+#include "render/camera.h"
+#include "render/mesh_renderer.h"
+#include "render/picking/face_picker.h"
+#include "render/render_target.h"
+#include "render/surface/face_paint.h"
+#include "render/surface/markers.h"
+#include "render/surface/surface_buffers.h"
+#include "ui/model.h"
+
+namespace limn::app {
+
+class Session;
+
+/// What a viewport needs beside the session to be drawn.
+struct ViewportLook {
+  std::optional<ViewportController::Ring> ring;
+  std::span<const std::uint32_t> highlighted;  ///< Control faces.
+  double scale = 1.0;                          ///< Pixels per unit of the interface.
+};
+
+/// A session's meshes on the GPU: uploads what has changed since last time, draws when something
+/// that shows has changed, and answers what is under the mouse.
+class ViewportScene {
+ public:
+  /// Needs a current context. Throws render::EnvironmentError.
+  ViewportScene() = default;
+
+  /// Uploads whatever of the session's document and refinement is new.
+  /// Errors: kEnvironment where the graphics memory or driver cannot hold it; what was there stays.
+  [[nodiscard]] Result<void> sync(const Session& session);
+
+  /// The camera of the session's view for an image of this size.
+  [[nodiscard]] static render::Camera camera(const Session& session, render::FramebufferSize size);
+
+  /// Draws into an image of its own of the camera's size, unless that is what it shows already.
+  void draw(const Session& session, render::FramebufferSize size, const ViewportLook& look);
+  /// Copies the image into the window's framebuffer, its lower left corner at this pixel.
+  void present(glm::ivec2 lower_left) const { target_.resolve_to(0, lower_left); }
+
+  [[nodiscard]] std::optional<render::PickedFace> pick(const Session& session,
+                                                       render::FramebufferSize size,
+                                                       render::FramebufferPoint point);
+  [[nodiscard]] std::vector<std::uint32_t> brush(const Session& session,
+                                                 render::FramebufferSize size,
+                                                 const render::BrushCapsule& capsule);
+  [[nodiscard]] std::vector<std::uint32_t> visible_faces(const Session& session,
+                                                         render::FramebufferSize size);
+
+ private:
+  /// Everything the drawn image depends on.
+  struct Shown {
+    ViewState view;
+    render::FramebufferSize size;
+    ui::DisplaySettings display;
+    double scale = 0.0;
+    bool shows_refined = false;
+    std::uint64_t content = 0;
+    std::optional<ViewportController::Ring> ring;
+    std::vector<std::uint32_t> highlighted;
+
+    [[nodiscard]] bool operator==(const Shown&) const = default;
+  };
+
+  void sync_labels(const Session& session);
+  [[nodiscard]] const render::SurfaceBuffers& surface(const Session& session) const;
+
+  render::SurfaceBuffers control_;
+  render::SurfaceBuffers refined_;
+  render::FacePaint paint_;
+  render::MarkerBuffers markers_;
+  render::MeshRenderer renderer_;
+  render::FacePicker picker_;
+  render::RenderTarget target_;
+
+  std::shared_ptr<const ControlMesh> control_mesh_;  ///< What `control_` holds.
+  std::uint64_t control_revision_ = 0;               ///< Ours: counts uploads.
+  std::optional<std::uint64_t> depths_revision_;
+  std::optional<std::uint64_t> refined_revision_;
+  bool has_refined_ = false;
+
+  struct LabelKey {
+    std::uint64_t labels = 0;
+    std::uint64_t refined = 0;
+    bool shows_labels = false;
+    bool shows_illegal = false;
+    bool is_legalised = false;
+    bool is_on_refined = false;
+    [[nodiscard]] bool operator==(const LabelKey&) const = default;
+  };
+  std::optional<LabelKey> label_key_;
+  std::uint64_t marker_revision_ = 0;
+
+  std::uint64_t content_ = 0;  ///< Counts all uploads.
+  std::optional<Shown> shown_;
+};
+
+}  // namespace limn::app
