@@ -74,8 +74,16 @@ ViewState named_view(NamedView direction, const Bounds& scene, double aspect) {
   return frame_bounds(turn_to(ViewState{}, direction), scene, aspect);
 }
 
+ViewState named_view(NamedView direction, std::span<const glm::dvec3> points, double aspect) {
+  return frame_points(turn_to(ViewState{}, direction), points, aspect);
+}
+
 ViewState default_view(const Bounds& scene, double aspect) {
   return named_view(NamedView::kThreeQuarter, scene, aspect);
+}
+
+ViewState default_view(std::span<const glm::dvec3> points, double aspect) {
+  return named_view(NamedView::kThreeQuarter, points, aspect);
 }
 
 }  // namespace limn::render

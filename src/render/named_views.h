@@ -3,6 +3,8 @@
 #include <span>
 #include <string_view>
 
+#include <glm/vec3.hpp>
+
 #include "limn/document/view_state.h"
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
@@ -28,7 +30,12 @@ enum class NamedView { kThreeQuarter, kFront, kBack, kLeft, kRight, kTop, kBotto
 /// From there, with all of the scene in the image. `aspect` is width over height.
 [[nodiscard]] ViewState named_view(NamedView direction, const Bounds& scene, double aspect);
 
+/// The same with the vertices of a mesh, which lets the image be filled better than its box does.
+[[nodiscard]] ViewState named_view(NamedView direction, std::span<const glm::dvec3> points,
+                                   double aspect);
+
 /// What a mesh is first seen from: the three-quarter view, somewhat from above.
 [[nodiscard]] ViewState default_view(const Bounds& scene, double aspect);
+[[nodiscard]] ViewState default_view(std::span<const glm::dvec3> points, double aspect);
 
 }  // namespace limn::render

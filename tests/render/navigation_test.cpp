@@ -133,6 +133,21 @@ TEST(Frame, ShowsTheWholeBoxAndLeavesLittleRoom) {
   }
 }
 
+TEST(Frame, PointsThatLeaveTheirBoxEmptyFillTheImageBetter) {
+  // An octahedron: no point at its box's corners.
+  const std::vector<glm::dvec3> points{{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                       {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+  const ViewState view = default_view(points, 1.5);
+  EXPECT_LT(view.distance, 0.8 * default_view(Bounds{glm::dvec3(-1), glm::dvec3(1)}, 1.5).distance);
+  const Camera camera = make_camera(view, Bounds{glm::dvec3(-1), glm::dvec3(1)}, {600, 400});
+  for (const glm::dvec3& point : points) {
+    const auto shown = project(camera, point);
+    ASSERT_TRUE(shown);
+    EXPECT_TRUE(shown->point.x > 0 && shown->point.x < 600);
+    EXPECT_TRUE(shown->point.y > 0 && shown->point.y < 400);
+  }
+}
+
 TEST(Frame, OnePointMovesTheTargetAloneAndNoPointsNothing) {
   const ViewState view = views()[0];
   const std::vector<glm::dvec3> one{{5.0, 6.0, 7.0}};
