@@ -2,6 +2,7 @@
 // renderer, whose frames are the same bytes on every run.
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -136,10 +137,8 @@ TEST_F(Goldens, MixedSmooth) {
 }
 
 TEST_F(Goldens, DepthColours) {
-  std::vector<std::uint8_t> ramp;
-  for (int f = 0; f < 16; ++f) {
-    ramp.push_back(static_cast<std::uint8_t>(std::min(f, 10)));
-  }
+  std::vector<std::uint8_t> ramp(16, 10);
+  std::iota(ramp.begin(), ramp.begin() + 10, std::uint8_t{0});
   show(test::grid_mesh(4), ramp);
   settings.has_wireframe = true;
   MarkerBuffers numbers;

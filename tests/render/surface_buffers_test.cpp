@@ -91,7 +91,7 @@ TEST_F(SurfaceOnGpu, PartOfTheDepthsIsReplaced) {
   }
   paint.update_depths(edits, depths.values());
   const std::vector<Pulled> pulled = pull(buffers, paint);
-  for (std::uint32_t f = 0; f < 16; ++f) {
+  for (std::size_t f = 0; f < 16; ++f) {
     EXPECT_EQ(pulled[f * 16].depth, static_cast<std::uint32_t>(depths[f])) << "face " << f;
   }
 }
@@ -105,7 +105,7 @@ TEST_F(SurfaceOnGpu, SetsOfFacesAreReplacedAsAWhole) {
   paint.set_highlighted(std::vector<std::uint32_t>{33, 98, 33});
   paint.set_illegal(std::vector<std::uint32_t>{98, 2});
   const std::vector<Pulled> pulled = pull(buffers, paint);
-  for (std::uint32_t f = 0; f < 100; ++f) {
+  for (std::size_t f = 0; f < 100; ++f) {
     const std::uint32_t expected = (f == 33 || f == 98 ? 1U : 0U) + (f == 98 || f == 2 ? 2U : 0U);
     EXPECT_EQ(pulled[f * 16].flags, expected) << "face " << f;
   }
@@ -123,7 +123,7 @@ TEST_F(SurfaceOnGpu, UploadReplacesContentsAndRevision) {
   FacePaint paint;
   paint.reset(std::vector<std::uint8_t>{1, 2, 3, 4});
   const std::vector<Pulled> pulled = pull(buffers, paint);
-  EXPECT_EQ(pulled[3 * 16].depth, 4U);
+  EXPECT_EQ(pulled[std::size_t{3} * 16].depth, 4U);
 }
 
 TEST_F(SurfaceOnGpu, EmptySurfaceDrawsNothing) {

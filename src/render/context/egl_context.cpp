@@ -172,7 +172,7 @@ void EglSurfacelessContext::make_current() {
     throw EnvironmentError(
         fmt::format("EGL cannot make its context current (error {:#x}).", egl.get_error()));
   }
-  info_ = load_gl(egl.get_proc_address);
+  set_info(load_gl(egl.get_proc_address));
 }
 
 }  // namespace limn::render

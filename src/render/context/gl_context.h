@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "render/context/load_gl.h"
 
@@ -29,6 +30,9 @@ class GlContext {
   [[nodiscard]] const GlInfo& info() const noexcept { return info_; }
 
  protected:
+  void set_info(GlInfo info) { info_ = std::move(info); }
+
+ private:
   GlInfo info_;
 };
 

@@ -72,7 +72,7 @@ void OsmesaContext::make_current() {
     forget_current(this);
     throw EnvironmentError("OSMesa cannot make its context current.");
   }
-  info_ = load_gl(library().get_proc_address);
+  set_info(load_gl(library().get_proc_address));
 }
 
 }  // namespace limn::render

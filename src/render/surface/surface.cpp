@@ -50,8 +50,9 @@ void group_faces(Surface& surface, std::size_t count, const Corners& corners,
     const SurfaceGroup& to = by_sides[from.size()];
     const std::uint32_t drawn = next_face[from.size()]++;
     source_faces[drawn] = static_cast<std::uint32_t>(f);
+    const std::size_t first = to.first_corner + std::size_t{drawn - to.first_face} * to.sides;
     std::copy(from.begin(), from.end(),
-              surface.corners.begin() + to.first_corner + (drawn - to.first_face) * to.sides);
+              surface.corners.begin() + static_cast<std::ptrdiff_t>(first));
   }
 }
 
