@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "mesh/import_limits.h"
+#include "mesh/printable.h"
 
 namespace limn {
 namespace {
@@ -115,7 +116,7 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path) {
                                     "from .obj files.")
                       : fmt::format("Files with the ending {} are not read; meshes are read from "
                                     ".obj files.",
-                                    ending),
+                                    detail::printable(ending)),
                   path.string());
     }
     auto text = read_file(path);

@@ -1,3 +1,6 @@
+// The text is walked once, line by line. A statement is copied only to join its lines and cut its
+// comment off; words are views into the copy, so that the line of a bad one follows from where it
+// stands.
 #include "mesh/obj_statements.h"
 
 #include <algorithm>

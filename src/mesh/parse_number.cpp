@@ -1,3 +1,5 @@
+// std::from_chars rounds correctly and knows no locale, but takes no plus sign and gives no value
+// for numbers beyond the range.
 #include "mesh/parse_number.h"
 
 #include <charconv>
@@ -11,7 +13,6 @@
 namespace limn::detail {
 namespace {
 
-/// std::from_chars takes no plus sign.
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') {
     word.remove_prefix(1);
@@ -19,7 +20,7 @@ std::string_view without_plus(std::string_view word) {
   return word;
 }
 
-/// Numbers beyond the range of double, for which std::from_chars gives no value.
+/// Infinite, denormal or 0, as C has it.
 double parse_out_of_range(std::string_view word) {
   static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
   return ::strtod_l(std::string(word).c_str(), nullptr, plain);

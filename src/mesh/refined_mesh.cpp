@@ -1,3 +1,5 @@
+// The half-edge mesh goes through the same matching and assembly as a control mesh; a refinement is
+// a manifold by construction, so what would be an error there is a bug here.
 #include "limn/mesh/refined_mesh.h"
 
 #include "limn/contract.h"

@@ -1,3 +1,4 @@
+// Counts over the flat topology; only boundary loops follow OpenMesh's half-edges, which link them.
 #include "limn/mesh/statistics.h"
 
 #include <algorithm>

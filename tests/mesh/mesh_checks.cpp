@@ -160,6 +160,9 @@ std::vector<std::string> link_faults_of(const HalfedgeMesh& mesh) {
       faults.push_back(fmt::format("half-edge {} lies in no face", h.idx()));
     }
   }
+  if (!faults.empty()) {
+    return faults;  // Circulators need not come to an end.
+  }
   std::vector<std::size_t> outgoing(mesh.n_vertices(), 0);
   std::vector<std::size_t> boundary(mesh.n_vertices(), 0);
   for (const auto h : mesh.halfedges()) {

@@ -13,10 +13,11 @@ namespace limn {
 
 /// Writes a refined mesh as OBJ text. Positions with as many digits as give the same float back;
 /// `depths[f]`, the depth of control face f, groups the faces by `usemtl depth_N`, which other
-/// programs keep. Pass an empty span to leave the groups out.
+/// programs keep. Pass an empty span to leave the groups out. Faces keep their order, so a group
+/// statement stands wherever the depth changes.
 void write_obj(std::ostream& out, const RefinedMesh& mesh, std::span<const std::uint8_t> depths);
 
-/// The same for a control mesh.
+/// The same for a control mesh. Read back, the text gives the same mesh to the last bit.
 void write_obj(std::ostream& out, const ControlMesh& mesh, std::span<const std::uint8_t> depths);
 
 /// Writes to a file atomically: the file holds the old contents or all of the new ones, never a

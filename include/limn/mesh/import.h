@@ -9,13 +9,20 @@
 
 namespace limn {
 
-/// Reads a mesh file and builds its control mesh; the format is told by the file's ending (OBJ).
+/// Reads a mesh file and builds its control mesh; the format is told by the file's ending (OBJ, in
+/// either case). Regular files of up to 4 GiB are read, links are followed, and nothing but the
+/// file itself is opened.
 ///
 /// Errors: kBadInput with path and, where one is to blame, the 1-based line.
 [[nodiscard]] Result<ImportedMesh> import_mesh(const std::filesystem::path& path);
 
 /// The same for OBJ text that is already in memory (standard input, a bundled mesh).
 /// `source` is used in messages only.
+///
+/// Reads `v` and `f` in all their forms: polygons of any size, negative indices, `\` continuations,
+/// weights and colours, any line ends. Coordinates are read to the last bit, whatever the locale. A
+/// malformed number or index is an error; every other statement is counted in
+/// ImportReport::unused_data.
 [[nodiscard]] Result<ImportedMesh> import_obj(std::string_view text, const std::string& source);
 
 }  // namespace limn
