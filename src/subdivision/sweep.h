@@ -8,10 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "limn/progress.h"
+#include "subdivision/parallel_ranges.h"
 
 // Internal to this folder.
 namespace limn {
@@ -98,12 +96,11 @@ class Sweep {
           body(i);
         }
       } else {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
-                          [&](const tbb::blocked_range<std::size_t>& range) {
-                            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              body(i);
-                            }
-                          });
+        parallel_ranges(begin, end, grain, [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) {
+            body(i);
+          }
+        });
       }
       done_ += (end - begin) * weight;
       report();
