@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "ui/keys.h"
 #include "ui/panels.h"
@@ -78,6 +79,19 @@ CursorShape cursor_shape() {
     default:
       return CursorShape::kArrow;
   }
+}
+
+/// Whether ImGui needs more frames to show what it was told: new windows stay hidden until their
+/// size is known, and the ground behind a dialog darkens by and by.
+bool is_unsettled() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const bool is_fading = context.DimBgRatio > 0.0F && context.DimBgRatio < 1.0F;
+  return is_fading ||
+         std::any_of(context.Windows.begin(), context.Windows.end(), [](const ImGuiWindow* window) {
+           return window->Active && (window->Appearing || window->HiddenFramesCannotSkipItems > 0 ||
+                                     window->HiddenFramesCanSkipItems > 0 ||
+                                     window->AutoFitFramesX > 0 || window->AutoFitFramesY > 0);
+         });
 }
 
 struct ContextDeleter {
@@ -190,6 +204,7 @@ GuiFrame Gui::frame(const Model& model, const InputFrame& input, WindowSize wind
       model,        input,       state.ui,    state.fonts, theme_colours(model.display.theme),
       state.unit(), out.actions, state.items, {}};
   const double unit = state.scale.interface;
+  state.ui.awaits_tooltip = false;
   const double top = static_cast<double>(draw_menu_bar(context));
   const double strip = kStripWidth * unit;
   const double status = kStatusHeight * unit;
@@ -222,7 +237,7 @@ GuiFrame Gui::frame(const Model& model, const InputFrame& input, WindowSize wind
   const bool had_input = !input.path.empty() || input.button || !input.presses.empty() ||
                          !input.text.empty() || input.wheel != WheelTurned{};
   out.needs_another_frame =
-      had_input || !out.actions.empty() || io.WantTextInput || state.ui.hovered_control != 0;
+      had_input || !out.actions.empty() || state.ui.awaits_tooltip || is_unsettled();
   return out;
 }
 

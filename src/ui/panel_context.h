@@ -32,6 +32,7 @@ struct UiState {
 
   double hover_seconds = 0.0;  ///< How long the cursor has rested on the same control.
   ImGuiID hovered_control = 0;
+  bool awaits_tooltip = false;  ///< It has not rested there long enough yet.
 };
 
 /// What one panel needs to draw itself and to say what the person wants.

@@ -126,9 +126,14 @@ void explain(PanelContext& context, std::string_view title, std::string_view tex
   if (context.state.hovered_control != id) {
     context.state.hovered_control = id;
     context.state.hover_seconds = 0.0;
+  } else {
+    context.state.hover_seconds += ImGui::GetIO().DeltaTime;
   }
-  context.state.hover_seconds += ImGui::GetIO().DeltaTime;
-  if (context.state.hover_seconds < kTooltipDelay || ImGui::IsAnyMouseDown()) {
+  if (ImGui::IsAnyMouseDown()) {
+    return;
+  }
+  if (context.state.hover_seconds < kTooltipDelay) {
+    context.state.awaits_tooltip = true;
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(12), context.px(10)});
