@@ -52,3 +52,11 @@ SurfaceCorner pull_surface_corner() {
   corner.is_provoking = corner_in_triangle == 2;
   return corner;
 }
+
+// Whether the triangle turns its back to the eye, that of eye_from_local (render/camera.h).
+bool faces_away(SurfaceCorner corner, vec4 eye) {
+  vec3 a = surface_position(surface_corners[corner.first_corner]);
+  vec3 b = surface_position(surface_corners[corner.first_corner + corner.triangle + 1]);
+  vec3 c = surface_position(surface_corners[corner.first_corner + corner.triangle + 2]);
+  return dot(cross(b - a, c - a), eye.xyz - eye.w * a) < 0.0;
+}

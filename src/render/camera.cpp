@@ -144,6 +144,11 @@ glm::mat4 view_from_local(const Camera& camera, const glm::dvec3& origin) {
   return {view_from(camera, origin)};
 }
 
+glm::vec4 eye_from_local(const Camera& camera, const glm::dvec3& origin) {
+  return camera.orthographic ? glm::vec4(glm::vec3(camera.back), 0.0F)
+                             : glm::vec4(glm::vec3(camera.eye - origin), 1.0F);
+}
+
 glm::mat3 view_rotation(const Camera& camera) {
   return glm::mat3(glm::dmat3(camera.view));
 }

@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "limn/document/view_state.h"
 #include "limn/mesh/control_mesh.h"
@@ -65,6 +66,11 @@ struct ProjectedPoint {
 
 /// World to eye space in single precision, likewise.
 [[nodiscard]] glm::mat4 view_from_local(const Camera& camera, const glm::dvec3& origin);
+
+/// The eye in homogeneous coordinates relative to `origin`: a point (w = 1) in perspective, the
+/// direction towards it (w = 0) in orthographic. A plane n through p faces it where
+/// dot(n, eye.xyz - eye.w * p) > 0.
+[[nodiscard]] glm::vec4 eye_from_local(const Camera& camera, const glm::dvec3& origin);
 
 /// Rotation alone: world directions (normals) to eye space.
 [[nodiscard]] glm::mat3 view_rotation(const Camera& camera);

@@ -87,6 +87,26 @@ std::vector<std::uint32_t> all_ids(const FacePicker& picker) {
   const PixelRect all{0, 0, size.width, size.height};
   std::vector<std::uint32_t> ids(all.area());
   picker.image().read(all, ids);
+  for (std::uint32_t& id : ids) {
+    id &= ~render::kFromBehind;
+  }
+  return ids;
+}
+
+std::vector<std::uint32_t> seen_ids(const FacePicker& picker) {
+  const FramebufferSize size = picker.image().size();
+  std::vector<std::uint32_t> raw(PixelRect{0, 0, size.width, size.height}.area());
+  picker.image().read({0, 0, size.width, size.height}, raw);
+  std::vector<std::uint32_t> ids(raw.size());
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                      static_cast<std::size_t>(x);
+      if (render::counts_as_seen(raw, size.width, size.height, x, y)) {
+        ids[at] = raw[at] & ~render::kFromBehind;
+      }
+    }
+  }
   return ids;
 }
 

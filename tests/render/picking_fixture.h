@@ -10,6 +10,7 @@
 #include "render/context/gl_context.h"
 #include "render/gl/debug_monitor.h"
 #include "render/picking/face_picker.h"
+#include "render/picking/seen.h"
 #include "render/surface/surface.h"
 #include "support/raycaster.h"
 
@@ -40,8 +41,11 @@ struct NamedCamera {
 };
 [[nodiscard]] std::vector<NamedCamera> cameras_around(const Bounds& scene);
 
-/// All numbers of the image, row by row from the top.
+/// The image row by row from the top: drawn face + 1, 0 where nothing is.
 [[nodiscard]] std::vector<std::uint32_t> all_ids(const render::FacePicker& picker);
+
+/// The same with 0 where the pixel does not make its face a seen one.
+[[nodiscard]] std::vector<std::uint32_t> seen_ids(const render::FacePicker& picker);
 
 /// A test of picking that runs on OSMesa and on EGL. An absent context is a failure.
 class PickingTest : public testing::TestWithParam<render::HeadlessKind> {

@@ -143,7 +143,7 @@ TEST_P(Picking, BrushMeetsExactlyTheFacesOfItsPixels) {
       make_camera(render::default_view(mesh.bounds, size.aspect()), mesh.bounds, size);
   const PickScene scene{buffers, camera};
   (void)picker.pick(scene, {0.0, 0.0});
-  const std::vector<std::uint32_t> ids = all_ids(picker);
+  const std::vector<std::uint32_t> ids = seen_ids(picker);
 
   std::mt19937 random(9);
   std::uniform_real_distribution<double> x(-30.0, size.width + 30.0);
@@ -209,7 +209,7 @@ TEST_P(Picking, VisibleFacesAreThoseOfTheImage) {
     for (const NamedCamera& named : cameras_around(mesh.bounds)) {
       SCOPED_TRACE(named.name);
       const Faces visible = picker.visible_faces({buffers, named.camera});
-      const std::vector<std::uint32_t> ids = all_ids(picker);
+      const std::vector<std::uint32_t> ids = seen_ids(picker);
       EXPECT_EQ(visible, control_faces_of({ids.begin(), ids.end()}, buffers));
       EXPECT_GT(visible.size(), 10U);
       EXPECT_LT(visible.size(), control->face_count());
@@ -234,6 +234,41 @@ TEST_P(Picking, FacesDrawnFirstAndCoveredLaterAreNotVisible) {
     EXPECT_THAT(picker.visible_faces({buffers, camera}), ElementsAre(front[i]));
     EXPECT_THAT(picker.brush({buffers, camera}, {{30.0, 30.0}, {40.0, 20.0}, 9.0}),
                 ElementsAre(front[i]));
+  }
+}
+
+// On a closed surface seen from outside, what faces away is hidden. At the silhouette it is as deep
+// as the front face it shares an edge with, and rounding must not let it through.
+TEST_P(Picking, FacesThatTurnAwayAreNeverVisibleOnAClosedSurface) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> yaw(-180.0, 180.0);
+  std::uniform_real_distribution<double> pitch(-90.0, 90.0);
+  for (const char* name : {"cube", "icosahedron", "creature"}) {
+    const auto mesh = load_bundled_mesh(name).value().mesh;
+    SurfaceBuffers buffers;
+    upload(buffers, make_surface(*mesh));
+    FacePicker picker;
+    for (int round = 0; round < 60; ++round) {
+      ViewState view = named_view(NamedView::kIso, mesh->bounds(), 1.0);
+      if (round > 0) {
+        view.yaw = yaw(random);
+        view.pitch = pitch(random);
+        view.orthographic = round % 3 == 0;
+      }
+      const Camera camera = make_camera(view, mesh->bounds(), {100 + 37 * round, 150 + 11 * round});
+      for (const std::uint32_t face : picker.visible_faces({buffers, camera})) {
+        const auto corners = mesh->face(face);
+        const glm::dvec3 a = mesh->positions()[corners[0]];
+        const glm::dvec3 to_eye = camera.orthographic ? camera.back : camera.eye - a;
+        double turned = -1.0;  // Cosine of the triangle that faces the eye most.
+        for (std::size_t i = 2; i < corners.size(); ++i) {
+          const glm::dvec3 normal =
+              glm::cross(mesh->positions()[corners[i - 1]] - a, mesh->positions()[corners[i]] - a);
+          turned = std::max(turned, glm::dot(glm::normalize(normal), glm::normalize(to_eye)));
+        }
+        EXPECT_GT(turned, -1e-4) << name << ", camera " << round << ", face " << face;
+      }
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include <bit>
 #include <span>
 
+#include "render/picking/seen.h"
 #include "render/shader_library.h"
 
 namespace limn::render {
@@ -20,6 +21,14 @@ constexpr GLuint kVisibleSlot = 9;
 
 unsigned groups_over(int pixels, unsigned group) {
   return (static_cast<unsigned>(pixels) + group - 1) / group;
+}
+
+/// The rectangle with a pixel more on every side that the image has one.
+PixelRect grown(const PixelRect& rect, FramebufferSize size) {
+  const int left = std::max(rect.x - 1, 0);
+  const int top = std::max(rect.y - 1, 0);
+  return {left, top, std::min(rect.x + rect.width + 1, size.width) - left,
+          std::min(rect.y + rect.height + 1, size.height) - top};
 }
 
 }  // namespace
@@ -42,6 +51,7 @@ bool FacePicker::update(const PickScene& scene) {
     image_.begin();
     draw_ids_.use();
     draw_ids_.set(0, key.clip_from_local);
+    draw_ids_.set(1, eye_from_local(scene.camera, scene.surface.origin()));
     scene.surface.draw();
     ++draw_count_;
   }
@@ -64,7 +74,7 @@ std::optional<PickedFace> FacePicker::pick(const PickScene& scene, FramebufferPo
     return std::nullopt;
   }
   PickedFace picked;
-  picked.drawn_face = id - 1;
+  picked.drawn_face = drawn_face_of(id);
   picked.control_face = scene.surface.face_control_faces()[picked.drawn_face];
   picked.view_depth = view_depth_from_buffer(scene.camera, image_.read_depth(x, y));
   picked.position = world_at(scene.camera, point, picked.view_depth);
@@ -73,10 +83,12 @@ std::optional<PickedFace> FacePicker::pick(const PickScene& scene, FramebufferPo
 
 std::vector<std::uint32_t> FacePicker::brush(const PickScene& scene, const BrushCapsule& capsule) {
   std::vector<std::uint32_t> met;
-  const PixelRect rect = pixel_rect(capsule, scene.camera.size);
-  if (rect.is_empty() || !update(scene)) {
+  const PixelRect covered = pixel_rect(capsule, scene.camera.size);
+  if (covered.is_empty() || !update(scene)) {
     return met;
   }
+  // One pixel more all around: whether a pixel counts depends on its neighbours.
+  const PixelRect rect = grown(covered, scene.camera.size);
   pixels_.resize(rect.area());
   image_.read(rect, pixels_);
 
@@ -85,20 +97,21 @@ std::vector<std::uint32_t> FacePicker::brush(const PickScene& scene, const Brush
     last_met_.assign(scene.surface.control_face_count(), 0);
     brush_count_ = 1;
   }
-  for (int row = 0; row < rect.height; ++row) {
-    const PixelSpan span = covered_span(capsule, rect.y + row);
-    const int first = std::max(span.first - rect.x, 0);
-    const int last = std::min(span.last - rect.x, rect.width);
+  for (int y = covered.y; y < covered.y + covered.height; ++y) {
+    const PixelSpan span = covered_span(capsule, y);
+    const int row = y - rect.y;
+    const int first = std::max(span.first, covered.x) - rect.x;
+    const int last = std::min(span.last, covered.x + covered.width) - rect.x;
     const std::uint32_t* ids =
         pixels_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(rect.width);
     std::uint32_t previous = 0;
     for (int column = first; column < last; ++column) {
       const std::uint32_t id = ids[column];
-      if (id == previous || id == 0) {
+      if (id == previous || !counts_as_seen(pixels_, rect.width, rect.height, column, row)) {
         continue;
       }
       previous = id;
-      const std::uint32_t face = control_faces[id - 1];
+      const std::uint32_t face = control_faces[drawn_face_of(id)];
       if (last_met_[face] != brush_count_) {
         last_met_[face] = brush_count_;
         met.push_back(face);

@@ -49,18 +49,18 @@ class FacePicker {
   /// The nearest face at a place of the image; nothing beside the surface or outside the image.
   [[nodiscard]] std::optional<PickedFace> pick(const PickScene& scene, FramebufferPoint point);
 
-  /// The control faces of which at least one visible pixel lies under the brush, each once, in the
+  /// The control faces that are seen (seen.h) in a pixel under the brush, each once, in the
   /// order of their first pixel from the top left. Reads back only the rectangle around the brush;
   /// takes time proportional to its pixels.
   [[nodiscard]] std::vector<std::uint32_t> brush(const PickScene& scene,
                                                  const BrushCapsule& capsule);
 
-  /// The control faces of which at least one pixel shows, ascending. They are gathered on the GPU,
-  /// from the finished image, so that a face which is drawn first and then covered does not count;
-  /// what is read back is one bit for each control face.
+  /// The control faces that are seen (seen.h) in at least one pixel, ascending. They are gathered
+  /// on the GPU, from the finished image, so that a face which is drawn first and then covered does
+  /// not count; what is read back is one bit for each control face.
   [[nodiscard]] std::vector<std::uint32_t> visible_faces(const PickScene& scene);
 
-  /// The numbers themselves, as of the last question: drawn face + 1, 0 where nothing is.
+  /// The numbers themselves (seen.h says what they hold), as of the last question.
   [[nodiscard]] const IdImage& image() const noexcept { return image_; }
   /// How often the image has been drawn.
   [[nodiscard]] std::uint64_t draw_count() const noexcept { return draw_count_; }
