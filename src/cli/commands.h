@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "limn/error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace limn::cli {
+
+/// Each function adds one subcommand to the program. Its work runs after parsing, when the command
+/// line was understood; it is stored in `work`, which returns the failure, if there was one.
+using Work = std::function<Result<void>()>;
+
+void add_refine_command(CLI::App& program, Work& work);
+void add_render_command(CLI::App& program, Work& work);
+void add_info_command(CLI::App& program, Work& work);
+
+}  // namespace limn::cli

@@ -1,0 +1,173 @@
+#include "cli/input.h"
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include <oneapi/tbb/global_control.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
+
+#include "cli/console.h"
+#include "limn/document/open.h"
+#include "limn/mesh/import.h"
+
+namespace limn::cli {
+namespace {
+
+std::string read_all(std::istream& in) {
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The rules of one --paint argument: a rule, or `@FILE` with a rule a line.
+std::vector<PaintRule> read_rules(const std::string& argument) {
+  Result<std::vector<PaintRule>> rules;
+  if (argument.starts_with('@')) {
+    const std::string path = argument.substr(1);
+    std::ifstream file(path);
+    if (!file) {
+      throw CLI::ValidationError("--paint", path + ": the file of rules cannot be read");
+    }
+    rules = parse_paint_rules(read_all(file), path);
+  } else {
+    rules = parse_paint_rule(argument).map(
+        [](PaintRule rule) { return std::vector<PaintRule>{std::move(rule)}; });
+  }
+  if (!rules) {
+    throw CLI::ValidationError("--paint", to_string(rules.error()));
+  }
+  return *std::move(rules);
+}
+
+/// Adds an option whose words stand for enumerators.
+template <class T>
+void add_choice(CLI::App& command, const std::string& name, std::optional<T>& value,
+                std::map<std::string, T> words, const std::string& description) {
+  command.add_option(name, value, description)
+      ->transform(CLI::CheckedTransformer(std::move(words)).description(""))
+      ->type_name("WORD");
+}
+
+}  // namespace
+
+void add_input_option(CLI::App& command, std::string& input) {
+  command
+      .add_option("IN", input,
+                  "A mesh file (.obj), a project (.limn), the name of a bundled mesh, or - for OBJ "
+                  "text on standard input")
+      ->required();
+}
+
+void add_painting_options(CLI::App& command, PaintingOptions& options) {
+  add_input_option(command, options.input);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--paint",
+          [&options](const std::vector<std::string>& arguments) {
+            for (const std::string& argument : arguments) {
+              for (PaintRule& rule : read_rules(argument)) {
+                options.rules.push_back(std::move(rule));
+              }
+            }
+          },
+          "A rule SELECTION:CHANGE, any number of times, applied in order. SELECTION is all, "
+          "visible, dihedral>DEGREES or faces=0,3-9; CHANGE is +N, -N or =N. @FILE reads a rule "
+          "a line")
+      ->type_name("RULE")
+      ->expected(1)
+      ->take_all();
+  add_choice<LegalisationMethod>(command, "--legalize", options.legalisation,
+                                 {{"greedy", LegalisationMethod::kGreedy}},
+                                 "How illegal vertices are removed: greedy (the paper's order)");
+  add_choice<NonQuadRule>(command, "--non-quads", options.non_quads,
+                          {{"uniform-first-step", NonQuadRule::kUniformFirstStep},
+                           {"where-painted", NonQuadRule::kWherePainted}},
+                          "Faces that are no quads: uniform-first-step or where-painted");
+  add_choice<CornerRule>(command, "--corners", options.corners,
+                         {{"sharp", CornerRule::kSharp}, {"smooth", CornerRule::kSmooth}},
+                         "Boundary vertices with one face: sharp (they stay) or smooth");
+  command.add_option("--levels", options.levels, "Stop after N steps")
+      ->type_name("N")
+      ->check(CLI::Range(0, kAllLevels))
+      ->default_str("as painted");
+  command
+      .add_option("--budget", options.face_budget,
+                  "Refuse, before any work, a result with more faces")
+      ->type_name("FACES")
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "Use at most N threads; the result is the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->default_str("all");
+}
+
+Result<Project> open_input(const std::string& input) {
+  Result<Project> project;
+  if (input == "-") {
+    project = import_obj(read_all(std::cin), "standard input").map([](ImportedMesh mesh) {
+      return Project{make_document(std::move(mesh), "standard input"), std::nullopt};
+    });
+  } else {
+    project = open_document(input);
+  }
+  if (project) {
+    print_import_report(project->document.import_report, input);
+  }
+  return project;
+}
+
+Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFaces& make_visible) {
+  Result<Project> project = open_input(options.input);
+  if (!project) {
+    return project;
+  }
+  Document& document = project->document;
+  document.settings.legalisation = options.legalisation.value_or(document.settings.legalisation);
+  document.settings.non_quads = options.non_quads.value_or(document.settings.non_quads);
+  document.settings.corners = options.corners.value_or(document.settings.corners);
+
+  VisibleFaces visible;
+  for (const PaintRule& rule : options.rules) {
+    if (std::holds_alternative<SelectVisible>(rule.selection) && !visible) {
+      visible = make_visible(*project);
+    }
+    if (auto painted = apply_paint_rule(*document.control, rule, visible, document.depths);
+        !painted) {
+      return tl::unexpected(std::move(painted.error()));
+    }
+  }
+  return project;
+}
+
+Result<Derived> derive(const Project& project, const PaintingOptions& options) {
+  std::optional<oneapi::tbb::global_control> limit;
+  if (options.threads > 0) {
+    limit.emplace(oneapi::tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(options.threads));
+  }
+  const Document& document = project.document;
+  TerminalProgress progress;
+  Result<DerivedLabels> labels =
+      derive_labels(*document.control, document.depths.values(), document.settings, progress);
+  if (!labels) {
+    return tl::unexpected(std::move(labels.error()));
+  }
+  Derived derived{*std::move(labels), std::nullopt};
+  if (options.levels > 0 && derived.labels.prediction.levels > 0) {
+    Result<Refinement> refinement =
+        derive_refinement(*document.control, derived.labels.legal.labels,
+                          {document.settings, options.levels, options.face_budget}, progress);
+    if (!refinement) {
+      return tl::unexpected(std::move(refinement.error()));
+    }
+    derived.refinement = *std::move(refinement);
+  }
+  return derived;
+}
+
+}  // namespace limn::cli

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limn/document/project_file.h"
+#include "limn/document/refinement.h"
+#include "limn/error.h"
+#include "limn/painting/paint_rule.h"
+#include "limn/painting/selection.h"
+
+namespace CLI {
+class App;
+}
+
+namespace limn::cli {
+
+/// What every subcommand that paints and subdivides takes. Settings left out are the project's, or
+/// the defaults for a mesh file.
+struct PaintingOptions {
+  std::string input;
+  std::vector<PaintRule> rules;  ///< In the order given.
+  std::optional<LegalisationMethod> legalisation;
+  std::optional<NonQuadRule> non_quads;
+  std::optional<CornerRule> corners;
+  int levels = kAllLevels;
+  std::uint64_t face_budget = 50'000'000;
+  int threads = 0;  ///< 0: as many as the machine has.
+};
+
+/// Adds the positional IN.
+void add_input_option(CLI::App& command, std::string& input);
+
+/// Adds IN, --paint, --legalize, --non-quads, --corners, --levels, --budget and --threads.
+void add_painting_options(CLI::App& command, PaintingOptions& options);
+
+/// Opens IN: `-` is OBJ text on standard input, else see open_document. Prints what was mended.
+[[nodiscard]] Result<Project> open_input(const std::string& input);
+
+/// Makes the answer to `visible:...` rules for an opened project; called only where a rule asks.
+using MakeVisibleFaces = std::function<VisibleFaces(const Project&)>;
+
+/// Opens IN and applies settings and rules to it.
+[[nodiscard]] Result<Project> open_painted(const PaintingOptions& options,
+                                           const MakeVisibleFaces& make_visible);
+
+/// Everything derived from a painting.
+struct Derived {
+  DerivedLabels labels;
+  std::optional<Refinement> refinement;  ///< Nothing where no level is made.
+};
+
+/// The refinement of an opened project, with progress on the terminal, on `options.threads`
+/// threads.
+[[nodiscard]] Result<Derived> derive(const Project& project, const PaintingOptions& options);
+
+}  // namespace limn::cli

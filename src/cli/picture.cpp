@@ -1,0 +1,99 @@
+#include "cli/picture.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/fonts.h"
+#include "app/imgui_renderer.h"
+#include "render/context/gl_context.h"
+#include "render/mesh_renderer.h"
+#include "render/render_target.h"
+#include "ui/gui.h"
+
+namespace limn::cli {
+namespace {
+
+using Show = PictureSettings::Show;
+
+/// The legend's box, at the same size whatever the picture's, drawn over what the target holds.
+void draw_legend_over(const FaceDepths& depths, const PictureSettings& settings,
+                      render::FramebufferSize size) {
+  const double scale = settings.draw.scale;
+  ui::Gui gui(app::load_fonts(), {1.0, scale});
+  gui.frame_legend(
+      depths.histogram(),
+      settings.draw.theme == render::Theme::kDark ? ui::Theme::kDark : ui::Theme::kLight,
+      {size.width / scale, size.height / scale});
+  app::ImguiRenderer renderer;
+  renderer.set_atlas(gui.atlas(), gui.atlas_revision());
+  renderer.draw(gui.draw_data());
+}
+
+}  // namespace
+
+Result<render::Image> draw_document(const Document& document, const Derived& derived,
+                                    const render::Camera& camera, const PictureSettings& settings) {
+  const std::unique_ptr<render::GlContext> context = render::create_headless_context();
+  const ControlMesh& control = *document.control;
+  // The control mesh stands for the refined one where nothing is painted.
+  const bool draws_refined = settings.show != Show::kControl && derived.refinement;
+
+  const render::Surface control_surface = render::make_surface(control);
+  render::SurfaceBuffers control_buffers;
+  if (auto uploaded = control_buffers.upload(control_surface, 1); !uploaded) {
+    return tl::unexpected(std::move(uploaded.error()));
+  }
+  render::SurfaceBuffers refined_buffers;
+  if (draws_refined) {
+    const render::Surface surface = render::make_surface(
+        *derived.refinement->mesh, control_surface.origin, control.face_count());
+    if (auto uploaded = refined_buffers.upload(surface, 1); !uploaded) {
+      return tl::unexpected(std::move(uploaded.error()));
+    }
+  }
+
+  render::FacePaint paint;
+  paint.reset(document.depths.values());
+  render::MarkerBuffers markers;
+  const DerivedLabels& labels = derived.labels;
+  if (settings.has_illegal) {
+    paint.set_illegal(labels.illegal_faces);
+  }
+  if (settings.has_labels || settings.has_illegal) {
+    std::vector<render::Marker> dots = render::label_markers(
+        control, labels.painted,
+        settings.has_illegal ? labels.illegal_vertices : std::vector<std::uint32_t>{}, {});
+    if (!settings.has_labels) {
+      std::erase_if(dots, [](const render::Marker& dot) {
+        return dot.style != render::MarkerStyle::kIllegal;
+      });
+    }
+    markers.upload(dots, 1);
+  }
+
+  render::Scene scene;
+  scene.surface = draws_refined ? &refined_buffers : &control_buffers;
+  scene.paint = &paint;
+  scene.cage = settings.show == Show::kBoth ? &control_buffers : nullptr;
+  scene.markers = &markers;
+  render::DrawSettings draw = settings.draw;
+  draw.shows_illegal_faces = settings.has_illegal;
+
+  if (camera.size.width > render::largest_target_side() ||
+      camera.size.height > render::largest_target_side()) {
+    return fail(ErrorKind::kEnvironment,
+                "the picture is larger than this OpenGL driver can draw; choose a smaller --size");
+  }
+  render::RenderTarget target;
+  target.resize({camera.size.width, camera.size.height});
+  render::MeshRenderer renderer;
+  renderer.draw(target, camera, scene, draw);
+  if (settings.has_legend) {
+    target.bind();
+    draw_legend_over(document.depths, settings, camera.size);
+  }
+  return target.read();
+}
+
+}  // namespace limn::cli

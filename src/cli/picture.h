@@ -1,0 +1,28 @@
+#pragma once
+
+#include "cli/input.h"
+#include "limn/error.h"
+#include "limn/mesh/refined_mesh.h"
+#include "render/camera.h"
+#include "render/draw_settings.h"
+#include "render/image.h"
+
+namespace limn::cli {
+
+/// What stands in a picture made without a window.
+struct PictureSettings {
+  enum class Show { kControl, kRefined, kBoth };
+  Show show = Show::kRefined;
+  render::DrawSettings draw;
+  bool has_labels = false;   ///< Vertex labels as numbered dots.
+  bool has_illegal = false;  ///< Illegal faces hatched, their vertices as dots.
+  bool has_legend = false;
+};
+
+/// Draws a painted mesh, its refinement or both. Throws EnvironmentError where there is no
+/// OpenGL 4.5. Errors: kEnvironment where the picture is larger than the driver can draw.
+[[nodiscard]] Result<render::Image> draw_document(const Document& document, const Derived& derived,
+                                                  const render::Camera& camera,
+                                                  const PictureSettings& settings);
+
+}  // namespace limn::cli

@@ -1,0 +1,107 @@
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/report.h"
+#include "cli/view_options.h"
+#include "limn/mesh/export.h"
+
+namespace limn::cli {
+namespace {
+
+struct Options {
+  PaintingOptions painting;
+  ViewOptions view;
+  std::string output;
+  bool json = false;
+};
+
+constexpr std::string_view kMeshEnding = ".obj";
+constexpr std::string_view kProjectEnding = ".limn";
+
+/// Writes the refined mesh, or the control mesh where no level was made; `-` is standard output.
+template <class Mesh>
+Result<void> write_mesh(const std::string& output, const Mesh& mesh, const FaceDepths& depths) {
+  if (output != "-") {
+    return export_obj(output, mesh, depths.values());
+  }
+  write_obj(std::cout, mesh, depths.values());
+  if (!std::cout.flush()) {
+    return fail(ErrorKind::kFailed, "could not write to standard output");
+  }
+  return {};
+}
+
+Result<void> write_output(const Options& options, const Project& project, const Derived& derived) {
+  const Document& document = project.document;
+  if (options.output.ends_with(kProjectEnding)) {
+    return resolve_view(options.view, project).and_then([&](const ViewState& view) {
+      return save_project(options.output, document, view);
+    });
+  }
+  return derived.refinement ? write_mesh(options.output, *derived.refinement->mesh, document.depths)
+                            : write_mesh(options.output, *document.control, document.depths);
+}
+
+Result<void> refine_and_write(const Options& options) {
+  const Result<Project> project = open_painted(options.painting, visible_faces_from(options.view));
+  if (!project) {
+    return tl::unexpected(project.error());
+  }
+  const Document& document = project->document;
+  const Result<Derived> derived = derive(*project, options.painting);
+  if (!derived) {
+    return tl::unexpected(derived.error());
+  }
+  if (!options.output.empty()) {
+    const Result<void> written = write_output(options, *project, *derived);
+    if (!written) {
+      return written;
+    }
+  }
+  if (options.json) {
+    fmt::print("{}\n", refinement_report(document, *derived).dump(2));
+  } else {
+    fmt::print(stderr, "{}", refinement_text(document, *derived));
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_refine_command(CLI::App& program, Work& work) {
+  CLI::App* command = program.add_subcommand(
+      "refine", "Paint a mesh by rules and subdivide it adaptively, without a window");
+  const auto options = std::make_shared<Options>();
+  add_painting_options(*command, options->painting);
+  add_view_options(*command, options->view);
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "The refined mesh (.obj, or - for standard output), or the painted control mesh as "
+          "a project (.limn); left out, only the numbers are reported")
+      ->type_name("OUT");
+  command->add_flag("--json", options->json, "The numbers as JSON on standard output");
+  command->callback([options, &work] {
+    if (options->json && options->output == "-") {
+      throw CLI::ValidationError("--json", "standard output cannot take both -o - and --json");
+    }
+    if (!options->output.empty() && options->output != "-" &&
+        !options->output.ends_with(kMeshEnding) && !options->output.ends_with(kProjectEnding)) {
+      throw CLI::ValidationError("--output",
+                                 options->output + ": the ending is to be .obj or .limn");
+    }
+    work = [options] { return refine_and_write(*options); };
+  });
+}
+
+}  // namespace limn::cli

@@ -1,0 +1,209 @@
+#include "cli/report.h"
+
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace limn::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(const glm::dvec3& p) {
+  return {p.x, p.y, p.z};
+}
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number) {
+  std::string digits = std::to_string(number);
+  for (std::ptrdiff_t at = std::ssize(digits) - 3; at > 0; at -= 3) {
+    digits.insert(static_cast<std::size_t>(at), 1, ',');
+  }
+  return digits;
+}
+
+/// Lines of a table: a name and what belongs to it.
+class Table {
+ public:
+  void row(std::string_view name, std::string_view value) {
+    fmt::format_to(std::back_inserter(text_), "{:<22}{}\n", name, value);
+  }
+  void count(std::string_view name, std::uint64_t value) { row(name, grouped(value)); }
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+std::string sides_name(std::size_t sides) {
+  switch (sides) {
+    case 3:
+      return "triangles";
+    case 4:
+      return "quads";
+    case 5:
+      return "pentagons";
+    case 6:
+      return "hexagons";
+    default:
+      return fmt::format("{}-gons", sides);
+  }
+}
+
+std::string painted_text(const FaceDepths& depths) {
+  std::string text;
+  const auto histogram = depths.histogram();
+  for (std::size_t depth = 0; depth < histogram.size(); ++depth) {
+    if (histogram[depth] > 0) {
+      fmt::format_to(std::back_inserter(text), "{}{} at {}", text.empty() ? "" : ", ",
+                     grouped(histogram[depth]), depth);
+    }
+  }
+  return text;
+}
+
+/// How many faces fewer than uniform subdivision to the same depth, in per cent.
+double saving_percent(const RefinementPrediction& prediction) {
+  if (prediction.uniform_faces == 0) {
+    return 0.0;
+  }
+  return 100.0 * (1.0 - static_cast<double>(prediction.faces) /
+                            static_cast<double>(prediction.uniform_faces));
+}
+
+/// What is written: the refined mesh, or the control mesh where no level is made.
+RefinementPrediction result_counts(const Document& document, const Derived& derived) {
+  if (derived.refinement) {
+    return derived.refinement->prediction;
+  }
+  const ControlMesh& control = *document.control;
+  RefinementPrediction counts;
+  counts.faces = control.face_count();
+  counts.vertices = control.vertex_count();
+  counts.edges = control.edge_count();
+  counts.uniform_faces = control.face_count();
+  return counts;
+}
+
+}  // namespace
+
+Json control_report(const Document& document) {
+  const MeshStatistics counts = mesh_statistics(*document.control);
+  const Bounds& bounds = document.control->bounds();
+  const ImportReport& mended = document.import_report;
+  Json sides = Json::object();
+  for (const auto& [side_count, faces] : counts.faces_by_sides) {
+    sides[std::to_string(side_count)] = faces;
+  }
+  return {
+      {"name", document.name},
+      {"vertices", counts.vertices},
+      {"edges", counts.edges},
+      {"faces", counts.faces},
+      {"faces_by_sides", sides},
+      {"boundary_edges", counts.boundary_edges},
+      {"boundary_loops", counts.boundary_loops},
+      {"components", counts.components},
+      {"euler_characteristic", counts.euler_characteristic},
+      {"highest_valence", counts.highest_valence},
+      {"bounds", {{"low", point(bounds.low)}, {"high", point(bounds.high)}}},
+      {"mended",
+       {{"flipped_faces", mended.flipped_faces},
+        {"split_vertices", mended.split_vertices},
+        {"isolated_vertices", mended.isolated_vertices},
+        {"repeated_corners", mended.repeated_corners}}},
+      {"unused_data", mended.unused_data},
+  };
+}
+
+Json refinement_report(const Document& document, const Derived& derived) {
+  const RefinementPrediction counts = result_counts(document, derived);
+  const DerivedLabels& labels = derived.labels;
+  Json by_depth = Json::object();
+  const auto histogram = document.depths.histogram();
+  for (std::size_t depth = 0; depth < histogram.size(); ++depth) {
+    if (histogram[depth] > 0) {
+      by_depth[std::to_string(depth)] = histogram[depth];
+    }
+  }
+  Json report = {
+      {"control_faces", document.control->face_count()},
+      {"faces_by_depth", by_depth},
+      {"illegal_faces", labels.illegal_faces.size()},
+      {"illegal_vertices", labels.illegal_vertices.size()},
+      {"relabelled_vertices", labels.legal.steps.size()},
+      {"levels", counts.levels},
+      {"faces", counts.faces},
+      {"vertices", counts.vertices},
+      {"edges", counts.edges},
+      {"uniform_faces", counts.uniform_faces},
+      {"saving_percent", saving_percent(counts)},
+      {"seconds", {{"labels", labels.seconds}}},
+  };
+  if (derived.refinement) {
+    const Refinement& refinement = *derived.refinement;
+    const CrackCheck& cracks = refinement.cracks;
+    report["bytes"] = counts.bytes;
+    report["quads"] = refinement.mesh->quads.size();
+    report["other_faces"] = refinement.mesh->polygon_count();
+    report["watertight"] = cracks.is_watertight();
+    report["boundary_edges"] = cracks.boundary_edges;
+    report["crack_edges"] = cracks.boundary_edges - cracks.control_boundary_edges;
+    report["nonmanifold_edges"] = cracks.nonmanifold_edges;
+    report["seconds"]["refine"] = refinement.refine_seconds;
+    report["seconds"]["check"] = refinement.check_seconds;
+  }
+  return report;
+}
+
+std::string control_text(const Document& document) {
+  const MeshStatistics counts = mesh_statistics(*document.control);
+  const Bounds& bounds = document.control->bounds();
+  const glm::dvec3 size = bounds.high - bounds.low;
+  Table table;
+  table.row("mesh", document.name);
+  table.count("vertices", counts.vertices);
+  table.count("edges", counts.edges);
+  table.count("faces", counts.faces);
+  for (const auto& [side_count, faces] : counts.faces_by_sides) {
+    table.count("  " + sides_name(side_count), faces);
+  }
+  table.count("boundary edges", counts.boundary_edges);
+  table.count("boundary loops", counts.boundary_loops);
+  table.count("components", counts.components);
+  table.row("Euler characteristic", std::to_string(counts.euler_characteristic));
+  table.count("highest valence", counts.highest_valence);
+  table.row("size", fmt::format("{:.6g} x {:.6g} x {:.6g}", size.x, size.y, size.z));
+  table.row("painted", painted_text(document.depths));
+  return table.take();
+}
+
+std::string refinement_text(const Document& document, const Derived& derived) {
+  const RefinementPrediction counts = result_counts(document, derived);
+  Table table;
+  table.row("painted", painted_text(document.depths));
+  table.count("illegal vertices", derived.labels.illegal_vertices.size());
+  table.count("relabelled", derived.labels.legal.steps.size());
+  table.row("levels", std::to_string(counts.levels));
+  table.count("faces", counts.faces);
+  table.count("vertices", counts.vertices);
+  table.row("uniform faces", fmt::format("{} (saving {:.1f} %)", grouped(counts.uniform_faces),
+                                         saving_percent(counts)));
+  if (derived.refinement) {
+    const CrackCheck& cracks = derived.refinement->cracks;
+    table.row("crack check",
+              cracks.is_watertight()
+                  ? "no cracks"
+                  : fmt::format("{} crack edges, {} non-manifold edges",
+                                cracks.boundary_edges - cracks.control_boundary_edges,
+                                cracks.nonmanifold_edges));
+    table.row("seconds",
+              fmt::format("{:.3f} labels, {:.3f} refine, {:.3f} check", derived.labels.seconds,
+                          derived.refinement->refine_seconds, derived.refinement->check_seconds));
+  }
+  return table.take();
+}
+
+}  // namespace limn::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "support/run_program.h"
+
+namespace limn::test {
+
+/// Runs the program that is shipped.
+inline ProgramRun limn(const std::vector<std::string>& arguments, const std::string& input = {}) {
+  return run_program(LIMN_PROGRAM, arguments, input);
+}
+
+}  // namespace limn::test

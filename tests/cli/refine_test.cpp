@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "limn/mesh/import.h"
+#include "limn_program.h"
+
+namespace limn::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+TEST(Refine, OneFaceOfTheCubeToDepthFive) {
+  const ScratchFolder scratch;
+  const ProgramRun run =
+      limn({"refine", "cube", "--paint", "faces=0:=5", "--json", "-o", scratch.file("out.obj")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json numbers = Json::parse(run.out);
+  EXPECT_EQ(numbers["faces"], 2484);
+  EXPECT_EQ(numbers["vertices"], 2486);
+  EXPECT_EQ(numbers["relabelled_vertices"], 3);
+  EXPECT_EQ(numbers["uniform_faces"], 6 * 1024);
+  EXPECT_EQ(numbers["watertight"], true);
+
+  const auto refined = import_mesh(scratch.file("out.obj"));
+  ASSERT_TRUE(refined) << to_string(refined.error());
+  EXPECT_EQ(refined->mesh->face_count(), 2484U);
+  EXPECT_EQ(refined->mesh->vertex_count(), 2486U);
+  EXPECT_TRUE(refined->mesh->is_closed());
+  EXPECT_FALSE(refined->report.is_mended());
+}
+
+TEST(Refine, RulesApplyInTheOrderGiven) {
+  const Json one_after = Json::parse(
+      limn({"refine", "cube", "--json", "--paint", "all:=2", "--paint", "faces=0-2:-1"}).out);
+  EXPECT_EQ(one_after["faces_by_depth"], (Json{{"1", 3}, {"2", 3}}));
+  const Json one_before = Json::parse(
+      limn({"refine", "cube", "--json", "--paint", "faces=0-2:-1", "--paint", "all:=2"}).out);
+  EXPECT_EQ(one_before["faces_by_depth"], (Json{{"2", 6}}));
+}
+
+TEST(Refine, ReadsRulesFromAFile) {
+  const ScratchFolder scratch;
+  write_file(scratch.file("rules"),
+             "# first all of it\nall:+1\n\ndihedral>80:+1  # and the edges\n");
+  const ProgramRun run = limn({"refine", "cube", "--json", "--paint", "@" + scratch.file("rules")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["faces_by_depth"], (Json{{"2", 6}}));
+}
+
+TEST(Refine, WritesToStandardOutputWhatItWritesToAFile) {
+  const ScratchFolder scratch;
+  const std::vector<std::string> rules = {"--paint", "dihedral>20:=2", "--paint", "faces=0-9:+1"};
+  std::vector<std::string> to_file = {"refine", "creature", "-o", scratch.file("out.obj")};
+  std::vector<std::string> to_stream = {"refine", "creature", "-o", "-"};
+  to_file.insert(to_file.end(), rules.begin(), rules.end());
+  to_stream.insert(to_stream.end(), rules.begin(), rules.end());
+  ASSERT_EQ(limn(to_file).exit_code, 0);
+  EXPECT_EQ(limn(to_stream).out, read_file(scratch.file("out.obj")));
+}
+
+TEST(Refine, GivesTheSameBytesForAnyNumberOfThreads) {
+  const auto with_threads = [](const char* threads) {
+    return limn({"refine", "creature", "--paint", "all:=2", "--paint", "faces=0-40:=4", "-o", "-",
+                 "--threads", threads})
+        .out;
+  };
+  const std::string one = with_threads("1");
+  EXPECT_GT(one.size(), 100'000U);
+  EXPECT_EQ(one, with_threads("2"));
+  EXPECT_EQ(one, with_threads("7"));
+}
+
+TEST(Refine, OverBudgetIsItsOwnExitCodeAndWritesNothing) {
+  const ScratchFolder scratch;
+  const ProgramRun run = limn(
+      {"refine", "cube", "--paint", "all:=6", "--budget", "24575", "-o", scratch.file("out.obj")});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_THAT(run.err, HasSubstr("24576"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("out.obj")));
+  EXPECT_EQ(limn({"refine", "cube", "--paint", "all:=6", "--budget", "24576"}).exit_code, 0);
+}
+
+TEST(Refine, StopsAfterTheLevelsAskedFor) {
+  const Json numbers =
+      Json::parse(limn({"refine", "cube", "--json", "--paint", "all:=4", "--levels", "2"}).out);
+  EXPECT_EQ(numbers["levels"], 2);
+  EXPECT_EQ(numbers["faces"], 6 * 16);
+}
+
+TEST(Refine, VisibleRaisesTheFacesThatTheCameraSees) {
+  const ProgramRun front =
+      limn({"refine", "cube", "--json", "--paint", "visible:+1", "--view", "front"});
+  ASSERT_EQ(front.exit_code, 0) << front.err;
+  EXPECT_EQ(Json::parse(front.out)["faces_by_depth"], (Json{{"0", 5}, {"1", 1}}));
+  const ProgramRun iso =
+      limn({"refine", "cube", "--json", "--paint", "visible:+1", "--view", "iso"});
+  EXPECT_EQ(Json::parse(iso.out)["faces_by_depth"], (Json{{"0", 3}, {"1", 3}}));
+}
+
+TEST(Refine, SavesThePaintingAsAProjectAndReadsItBack) {
+  const ScratchFolder scratch;
+  const std::string project = scratch.file("painted.limn");
+  ASSERT_EQ(limn({"refine", "cube", "--paint", "faces=2:=3", "--non-quads", "where-painted", "-o",
+                  project})
+                .exit_code,
+            0);
+  const Json numbers = Json::parse(limn({"refine", project, "--json"}).out);
+  EXPECT_EQ(numbers["faces_by_depth"], (Json{{"0", 5}, {"3", 1}}));
+  EXPECT_EQ(numbers["faces"], 228);
+}
+
+TEST(Refine, AFailedWriteLeavesTheOldFile) {
+  const ScratchFolder scratch;
+  const ProgramRun run = limn({"refine", "cube", "-o", scratch.file("no/such/folder/out.obj")});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("no/such/folder"));
+}
+
+}  // namespace
+}  // namespace limn::test

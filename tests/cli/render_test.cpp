@@ -1,0 +1,99 @@
+// Pictures made by the shipped program through OSMesa, compared pixel by pixel with tests/golden.
+// The situations are those of the figures that the method is usually shown with, before and after.
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn_program.h"
+#include "render/png.h"
+#include "support/image_compare.h"
+
+namespace limn::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class Render : public testing::Test {
+ protected:
+  void SetUp() override { setenv("LIMN_HEADLESS", "osmesa", 1); }
+
+  /// The picture that `limn render` makes of these arguments.
+  render::Image picture(Words arguments) {
+    arguments.insert(arguments.begin(), "render");
+    for (const char* word : {"--size", "480x360", "-o"}) {
+      arguments.emplace_back(word);
+    }
+    arguments.push_back(scratch_.file("picture.png"));
+    const ProgramRun run = limn(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const auto image = render::read_png(scratch_.file("picture.png"));
+    EXPECT_TRUE(image) << to_string(image.error());
+    return image.value_or(render::Image({1, 1}));
+  }
+
+  /// The painted control mesh and its refinement, each against its golden picture.
+  void expect_before_and_after(Words arguments, const std::string& name) {
+    arguments.insert(arguments.end(), {"--show", "control"});
+    EXPECT_TRUE(matches_golden(picture(arguments), name + "_before"));
+    arguments.back() = "refined";
+    EXPECT_TRUE(matches_golden(picture(arguments), name + "_after"));
+  }
+
+ private:
+  ScratchFolder scratch_;
+};
+
+TEST_F(Render, CubeWithOneFaceAtDepthFive) {
+  expect_before_and_after({"cube", "--paint", "faces=5:=5", "--view", "iso"}, "cli_cube_one_face");
+}
+
+TEST_F(Render, CreaturePaintedWhereItIsVisibleFromOneSide) {
+  // Painted from the right, seen from elsewhere: the border of what was visible runs over it.
+  const ScratchFolder scratch;
+  const std::string painted = scratch.file("painted.limn");
+  const ProgramRun run =
+      limn({"refine", "creature", "--paint", "visible:+2", "--view", "right", "-o", painted});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  expect_before_and_after({painted, "--view", "three-quarter"}, "cli_creature_visible");
+}
+
+TEST_F(Render, TheLegendCountsTheFacesOfEachDepth) {
+  EXPECT_TRUE(matches_golden(picture({"creature", "--paint", "dihedral>30:+1", "--paint",
+                                      "dihedral>50:+2", "--view", "left", "--legend"}),
+                             "cli_legend"));
+}
+
+TEST_F(Render, TeapotPaintedByDihedralAngle) {
+  expect_before_and_after({"teapot", "--paint", "dihedral>25:+1", "--paint", "dihedral>45:+1"},
+                          "cli_teapot_dihedral");
+}
+
+TEST_F(Render, BothShowsTheCageOverTheRefinedSurface) {
+  EXPECT_TRUE(matches_golden(picture({"cube", "--paint", "all:=3", "--show", "both", "--smooth",
+                                      "--no-wireframe", "--light-theme"}),
+                             "cli_both_light"));
+}
+
+TEST_F(Render, IllegalFacesAndLabelsAsPainted) {
+  EXPECT_TRUE(matches_golden(picture({"grid", "--paint", "faces=78,91,103-106:=2", "--show",
+                                      "control", "--illegal", "--labels"}),
+                             "cli_illegal_labels"));
+}
+
+TEST_F(Render, LooksFromACameraFile) {
+  const ScratchFolder scratch;
+  write_file(scratch.file("camera.json"),
+             R"({"target": [0, 0, 0], "distance": 6, "yaw": 0, "pitch": 0,)"
+             R"( "fov_degrees": 35, "orthographic": false})");
+  EXPECT_EQ(picture({"cube", "--camera", scratch.file("camera.json")}).size, glm::ivec2(480, 360));
+  write_file(scratch.file("camera.json"), R"({"target": [0, 0], "distance": 6})");
+  const ProgramRun run = limn(
+      {"render", "cube", "--camera", scratch.file("camera.json"), "-o", scratch.file("out.png")});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, testing::HasSubstr("/target"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("out.png")));
+}
+
+}  // namespace
+}  // namespace limn::test
