@@ -289,7 +289,9 @@ TEST_F(SessionTest, NamingADepthMakesTheBrushSetIt) {
 }
 
 TEST_F(SessionTest, FramingGlidesAndEndsExactly) {
-  session_.update(1.0);
+  session_.finish_refinement();
+  while (session_.update(1.0)) {
+  }
   const ViewState start = session_.view();
   session_.perform(kViewFront);
   EXPECT_EQ(session_.view(), start);

@@ -1,0 +1,279 @@
+// Plays mouse input frame by frame over a picker that knows where three faces are.
+#include "app/viewport_controller.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session.h"
+
+namespace limn::app {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using ui::MouseButton;
+
+/// Faces 0..5 are strips of 100 pixels, side by side.
+class StripPicker final : public ViewportPicker {
+ public:
+  [[nodiscard]] std::optional<render::PickedFace> pick(render::FramebufferPoint point) override {
+    if (point.x < 0.0 || point.x >= 600.0) {
+      return std::nullopt;
+    }
+    render::PickedFace face;
+    face.control_face = static_cast<std::uint32_t>(point.x / 100.0);
+    face.drawn_face = face.control_face;
+    face.view_depth = 3.0;
+    return face;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> brush(const render::BrushCapsule& capsule) override {
+    last = capsule;
+    const double low = std::min(capsule.from.x, capsule.to.x) - capsule.radius;
+    const double high = std::max(capsule.from.x, capsule.to.x) + capsule.radius;
+    std::vector<std::uint32_t> faces;
+    for (std::uint32_t face = 0; face < 6; ++face) {
+      if (low < 100.0 * (face + 1) && high >= 100.0 * face) {
+        faces.push_back(face);
+      }
+    }
+    return faces;
+  }
+
+  render::BrushCapsule last;
+};
+
+class ViewportControllerTest : public testing::Test {
+ protected:
+  ViewportControllerTest() {
+    session_.perform({ui::ActionId::kOpenBundled, std::string("cube")});
+    session_.perform({ui::ActionId::kSetBrushRadius, 4.0});
+  }
+
+  void frame(ui::ViewportInput input) { controller_.update(input, place_, session_, picker_); }
+
+  void move(std::vector<ui::WindowPoint> path) {
+    ui::ViewportInput input = held_;
+    input.path = path;
+    input.cursor = cursor_ = path.back();
+    frame(input);
+  }
+  void change(MouseButton button, bool is_down) {
+    held_.buttons_down[static_cast<std::size_t>(button)] = is_down;
+    ui::ViewportInput input = held_;
+    input.cursor = cursor_;
+    input.button = ui::ButtonChanged{button, is_down};
+    input.owns_drag = true;
+    held_.owns_drag = held_.buttons_down[0] || held_.buttons_down[1] || held_.buttons_down[2];
+    frame(input);
+  }
+  void press(MouseButton button) { change(button, true); }
+  void release(MouseButton button) { change(button, false); }
+
+  [[nodiscard]] std::vector<int> depths() const {
+    const auto values = session_.document().depths.values();
+    return {values.begin(), values.end()};
+  }
+
+  ViewportPlace place_{{{10.0, 20.0}, {600.0, 400.0}}, {600, 400}};
+  Session session_{{[] {}, {}}};
+  StripPicker picker_;
+  ViewportController controller_;
+  ui::ViewportInput held_ = [] {
+    ui::ViewportInput input;
+    input.is_hovered = true;
+    return input;
+  }();
+  ui::WindowPoint cursor_;
+};
+
+TEST_F(ViewportControllerTest, FastStrokeLeavesNoGapsAndIsOneCommand) {
+  move({{60, 220}});
+  press(MouseButton::kLeft);
+  EXPECT_THAT(depths(), ElementsAre(1, 0, 0, 0, 0, 0));
+  move({{460, 220}});
+  EXPECT_THAT(depths(), ElementsAre(1, 1, 1, 1, 1, 0));
+  move({{60, 220}});
+  release(MouseButton::kLeft);
+  EXPECT_THAT(depths(), ElementsAre(1, 1, 1, 1, 1, 0)) << "a face changes once a stroke";
+  session_.perform(ui::ActionId::kUndo);
+  EXPECT_THAT(depths(), ElementsAre(0, 0, 0, 0, 0, 0));
+}
+
+TEST_F(ViewportControllerTest, MovesBeforeThePressInTheSameFrameDoNotPaint) {
+  move({{60, 220}});
+  held_.buttons_down[0] = true;
+  ui::ViewportInput input = held_;
+  input.path = {{260, 220}};
+  input.cursor = ui::WindowPoint{260, 220};
+  input.button = ui::ButtonChanged{MouseButton::kLeft, true};
+  input.owns_drag = true;
+  frame(input);
+  EXPECT_THAT(depths(), ElementsAre(0, 0, 1, 0, 0, 0));
+}
+
+TEST_F(ViewportControllerTest, MovesBeforeTheReleaseInTheSameFramePaint) {
+  move({{60, 220}});
+  press(MouseButton::kLeft);
+  held_.buttons_down[0] = false;
+  ui::ViewportInput input = held_;
+  input.path = {{260, 220}};
+  input.cursor = ui::WindowPoint{260, 220};
+  input.button = ui::ButtonChanged{MouseButton::kLeft, false};
+  input.owns_drag = true;
+  frame(input);
+  EXPECT_THAT(depths(), ElementsAre(1, 1, 1, 0, 0, 0));
+  EXPECT_FALSE(session_.is_stroking());
+}
+
+TEST_F(ViewportControllerTest, ShiftAndCtrlLowerAndSetModeSets) {
+  session_.perform(ui::ActionId::kRaiseAll);
+  session_.perform({ui::ActionId::kSetTargetDepth, 5});
+  move({{60, 220}});
+  press(MouseButton::kLeft);
+  release(MouseButton::kLeft);
+  EXPECT_THAT(depths(), ElementsAre(5, 1, 1, 1, 1, 1));
+  held_.modifiers.shift = true;
+  press(MouseButton::kLeft);
+  release(MouseButton::kLeft);
+  held_.modifiers = {};
+  held_.modifiers.ctrl = true;
+  press(MouseButton::kLeft);
+  release(MouseButton::kLeft);
+  EXPECT_THAT(depths(), ElementsAre(3, 1, 1, 1, 1, 1));
+}
+
+TEST_F(ViewportControllerTest, AltLeftAndMiddleOrbitWithoutPainting) {
+  const ViewState before = session_.view();
+  move({{60, 220}});
+  held_.modifiers.alt = true;
+  press(MouseButton::kLeft);
+  move({{160, 220}});
+  release(MouseButton::kLeft);
+  const ViewState after_alt = session_.view();
+  EXPECT_NE(after_alt.yaw, before.yaw);
+  EXPECT_EQ(after_alt.target, before.target);
+  held_.modifiers = {};
+  press(MouseButton::kMiddle);
+  move({{60, 220}});
+  release(MouseButton::kMiddle);
+  EXPECT_NEAR(session_.view().yaw, before.yaw, 1e-9);
+  EXPECT_EQ(session_.document().depths.deepest(), 0);
+}
+
+TEST_F(ViewportControllerTest, ShiftMiddleAndAltLeftRightPan) {
+  const ViewState before = session_.view();
+  move({{60, 220}});
+  held_.modifiers.shift = true;
+  press(MouseButton::kMiddle);
+  move({{160, 260}});
+  release(MouseButton::kMiddle);
+  const ViewState panned = session_.view();
+  EXPECT_NE(panned.target, before.target);
+  EXPECT_EQ(panned.yaw, before.yaw);
+  held_.modifiers = {};
+  held_.modifiers.alt = true;
+  press(MouseButton::kLeft);
+  press(MouseButton::kRight);
+  move({{60, 220}});
+  EXPECT_EQ(session_.view().yaw, before.yaw) << "the second button turns the orbit into a pan";
+  EXPECT_LT(glm::length(session_.view().target - before.target), 1e-9);
+  release(MouseButton::kRight);
+  release(MouseButton::kLeft);
+}
+
+TEST_F(ViewportControllerTest, AltRightAndWheelDolly) {
+  const ViewState before = session_.view();
+  move({{60, 220}});
+  held_.modifiers.alt = true;
+  press(MouseButton::kRight);
+  move({{160, 220}});
+  release(MouseButton::kRight);
+  EXPECT_LT(session_.view().distance, before.distance);
+  held_.modifiers = {};
+  const double near = session_.view().distance;
+  ui::ViewportInput input = held_;
+  input.cursor = cursor_;
+  input.wheel = {0.0, -1.0};
+  frame(input);
+  EXPECT_GT(session_.view().distance, near);
+  EXPECT_EQ(session_.view().yaw, before.yaw);
+}
+
+TEST_F(ViewportControllerTest, CtrlWheelSizesTheBrush) {
+  const ViewState before = session_.view();
+  ui::ViewportInput input = held_;
+  input.cursor = ui::WindowPoint{60, 220};
+  input.modifiers.ctrl = true;
+  input.wheel = {0.0, 2.0};
+  frame(input);
+  EXPECT_GT(session_.brush().radius, 4.0);
+  EXPECT_EQ(session_.view(), before);
+}
+
+TEST_F(ViewportControllerTest, RingAndFacesFollowTheCursorInPixels) {
+  place_.size = {1200, 800};  // Twice as many pixels as window units.
+  move({{110, 220}});
+  ASSERT_TRUE(controller_.ring().has_value());
+  EXPECT_EQ(controller_.ring()->centre, (render::FramebufferPoint{200.0, 400.0}));
+  EXPECT_EQ(controller_.ring()->radius, 8.0);
+  EXPECT_THAT(controller_.highlighted(), ElementsAre(1, 2));
+  EXPECT_EQ(session_.hover(), 2u);
+  held_.is_hovered = false;
+  move({{5, 5}});
+  EXPECT_FALSE(controller_.ring().has_value());
+  EXPECT_THAT(controller_.highlighted(), IsEmpty());
+  EXPECT_FALSE(session_.hover().has_value());
+}
+
+TEST_F(ViewportControllerTest, EscEndsTheStrokeUntilTheButtonIsUp) {
+  move({{60, 220}});
+  press(MouseButton::kLeft);
+  session_.perform(ui::ActionId::kCancel);
+  move({{460, 220}});
+  EXPECT_EQ(session_.document().depths.deepest(), 0);
+  release(MouseButton::kLeft);
+  press(MouseButton::kLeft);
+  EXPECT_TRUE(session_.is_stroking());
+  release(MouseButton::kLeft);
+}
+
+TEST_F(ViewportControllerTest, LostFocusEndsTheStrokeAndKeepsIt) {
+  move({{60, 220}});
+  press(MouseButton::kLeft);
+  held_ = {};
+  frame(held_);
+  EXPECT_FALSE(session_.is_stroking());
+  EXPECT_THAT(depths(), ElementsAre(1, 0, 0, 0, 0, 0));
+  EXPECT_TRUE(session_.history().can_undo());
+}
+
+TEST_F(ViewportControllerTest, PickToolTakesTheDepthUnderTheCursor) {
+  session_.begin_stroke(DepthChange::set(6));
+  session_.touch(std::vector<std::uint32_t>{4});
+  session_.end_stroke();
+  session_.perform(ui::ActionId::kToolPick);
+  move({{460, 220}});
+  press(MouseButton::kLeft);
+  release(MouseButton::kLeft);
+  EXPECT_EQ(session_.brush().target_depth, 6);
+}
+
+TEST_F(ViewportControllerTest, OrbitToolTurnsWithAPlainDrag) {
+  session_.perform(ui::ActionId::kToolOrbit);
+  const ViewState before = session_.view();
+  move({{60, 220}});
+  EXPECT_FALSE(controller_.ring().has_value());
+  press(MouseButton::kLeft);
+  move({{160, 220}});
+  release(MouseButton::kLeft);
+  EXPECT_NE(session_.view().yaw, before.yaw);
+  EXPECT_EQ(session_.document().depths.deepest(), 0);
+}
+
+}  // namespace
+}  // namespace limn::app
