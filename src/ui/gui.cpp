@@ -89,8 +89,7 @@ bool is_unsettled() {
   return is_fading ||
          std::any_of(context.Windows.begin(), context.Windows.end(), [](const ImGuiWindow* window) {
            return window->Active && (window->Appearing || window->HiddenFramesCannotSkipItems > 0 ||
-                                     window->HiddenFramesCanSkipItems > 0 ||
-                                     window->AutoFitFramesX > 0 || window->AutoFitFramesY > 0);
+                                     window->HiddenFramesCanSkipItems > 0);
          });
 }
 
