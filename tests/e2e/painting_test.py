@@ -100,11 +100,11 @@ def raise_sharp(program, positions, faces):
     place = (x + width * 0.37, y + height / 2)
     program.drag([(x + width * 0.3, y + height / 2), place])
     state = program.wait_for("the threshold is set", lambda s: s["dihedral_threshold"] != before)
-    state = program.wait_for("the slider has come to rest",
-                             lambda s: 40 < s["dihedral_threshold"] < 90)
-    threshold = state["dihedral_threshold"]
+    state = program.wait_for("the slider is near where it was let go",
+                             lambda s: 60 < s["dihedral_threshold"] < 75)
     program.click(*program.item("Raise sharp"))
     after = program.wait_for("sharp faces are raised", lambda s: s["undo"].startswith("raise sharp"))
+    threshold = after["dihedral_threshold"]
     angles = dihedral_angles(positions, faces)
     expected = {f for f, angle in enumerate(angles) if angle > threshold}
     unsure = {f for f, angle in enumerate(angles) if abs(angle - threshold) < 1e-6}
