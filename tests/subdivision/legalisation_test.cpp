@@ -76,6 +76,18 @@ Legalisation brute_force(const ControlMesh& mesh, VertexLabels labels, NonQuadRu
   return result;
 }
 
+/// As the header tells a display to.
+VertexLabels replayed(const ControlMesh& mesh, VertexLabels labels, NonQuadRule rule,
+                      const std::vector<LegalisationStep>& steps) {
+  for (const LegalisationStep& step : steps) {
+    labels[step.vertex] = 1;
+    if (rule == NonQuadRule::kWherePainted) {
+      labels = apply_non_quad_rule(mesh, std::move(labels), rule);
+    }
+  }
+  return labels;
+}
+
 void expect_equal(const ControlMesh& mesh, const VertexLabels& labels, NonQuadRule rule) {
   const Legalisation expected = brute_force(mesh, labels, rule);
   IgnoreProgress progress;
@@ -89,6 +101,7 @@ void expect_equal(const ControlMesh& mesh, const VertexLabels& labels, NonQuadRu
     ASSERT_EQ(found->steps[i].cost, expected.steps[i].cost) << "step " << i;
   }
   ASSERT_TRUE(illegal_faces(mesh, found->labels).empty());
+  ASSERT_EQ(replayed(mesh, labels, rule, found->steps), found->labels);
 }
 
 /// Painted by faces, or vertex by vertex, which makes patterns that no painting does.

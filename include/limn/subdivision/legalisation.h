@@ -17,11 +17,18 @@ struct LegalisationStep {
   std::uint32_t cost = 0;     ///< Quads around it that had exactly three zero labels.
 };
 
+/// Legal labels and the choices that led to them.
+///
+/// Only choices are steps. Under kWherePainted a choice at a corner of a non-quad face also raises
+/// that face's other zeros to 1, and these have no LegalisationStep. A step-by-step display starts
+/// from the labels that went in and shows for each step
+///   labels[step.vertex] = 1;
+///   labels = apply_non_quad_rule(mesh, std::move(labels), rule);   // kWherePainted only
+/// Whatever else became positive was raised along with step.vertex; after the last step `labels`
+/// are those below.
 struct Legalisation {
   VertexLabels labels;                  ///< No face is illegal under these.
-  std::vector<LegalisationStep> steps;  ///< In order; what a step-by-step display replays. Vertices
-                                        ///< raised along with a choice, as corners of a non-quad
-                                        ///< face, have no step of their own.
+  std::vector<LegalisationStep> steps;  ///< The choices, in order.
 };
 
 /// Removes every illegal vertex in the paper's greedy order, in O(n log n) (algorithm: Yong & Cheng
