@@ -11,6 +11,7 @@
 #include "exactness_check.h"
 #include "limn/mesh/import.h"
 #include "support/corpus.h"
+#include "support/effort.h"
 #include "support/shapes.h"
 
 namespace limn {
@@ -18,16 +19,16 @@ namespace {
 
 using test::MeshPointer;
 
-/// Uniform faces that a hierarchy may have, which bounds the time of a test.
+/// Uniform faces that a hierarchy may have, which bounds the time of a test; times the effort.
 constexpr double kUniformFaces = 30000;
-/// Two levels at least for meshes of up to so many corners.
+/// Two levels at least for meshes of up to so many corners, likewise.
 constexpr double kMostCorners = 20000;
 
 int deepest_affordable(const ControlMesh& mesh) {
   const double corners = static_cast<double>(mesh.topology().corner_vertices.size());
-  const int levels =
-      1 + static_cast<int>(std::floor(std::log(kUniformFaces / corners) / std::log(4)));
-  return std::clamp(levels, corners <= kMostCorners ? 2 : 0, 6);
+  const int levels = 1 + static_cast<int>(std::floor(
+                             std::log(test::effort() * kUniformFaces / corners) / std::log(4)));
+  return std::clamp(levels, corners <= test::effort() * kMostCorners ? 2 : 0, 6);
 }
 
 void expect_exact(const ControlMesh& mesh, const std::string& name, int paintings,
