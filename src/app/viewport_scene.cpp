@@ -111,7 +111,7 @@ void ViewportScene::sync_labels(const Session& session) {
       // The refined mesh begins with the control mesh's vertices, moved.
       const RefinedMesh& refined = *refinement.refined()->refinement->mesh;
       for (std::size_t v = 0; v < markers.size(); ++v) {
-        markers[v].position = glm::vec3(glm::dvec3(refined.positions[v]) - refined_.origin());
+        markers[v].position = glm::vec3(refined.position(v) - refined_.origin());
       }
     }
   }

@@ -37,11 +37,10 @@ class TextWriter {
   fmt::memory_buffer buffer_;
 };
 
-template <class Positions>
-void write_positions(TextWriter& text, const Positions& positions) {
-  for (const auto& p : positions) {
-    text.print("v {} {} {}\n", p.x, p.y, p.z);
-  }
+/// A vec3 or dvec3: the shortest digits that tell the number apart from others of its kind.
+template <class Position>
+void write_position(TextWriter& text, const Position& p) {
+  text.print("v {} {} {}\n", p.x, p.y, p.z);
 }
 
 void write_face(TextWriter& text, std::span<const std::uint32_t> vertices) {
@@ -75,7 +74,14 @@ Result<void> export_to(const std::filesystem::path& path, const Mesh& mesh,
 
 void write_obj(std::ostream& out, const RefinedMesh& mesh, std::span<const std::uint8_t> depths) {
   TextWriter text(out);
-  write_positions(text, mesh.positions);
+  const bool are_world_positions = mesh.origin == glm::dvec3(0.0);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (are_world_positions) {
+      write_position(text, mesh.positions[v]);
+    } else {
+      write_position(text, mesh.position(v));
+    }
+  }
   write_faces(text, mesh, !depths.empty(), [&](std::size_t f) {
     const std::uint32_t control_face = mesh.face_control_faces[f];
     LIMN_EXPECTS(control_face < depths.size());
@@ -87,7 +93,9 @@ void write_obj(std::ostream& out, const RefinedMesh& mesh, std::span<const std::
 void write_obj(std::ostream& out, const ControlMesh& mesh, std::span<const std::uint8_t> depths) {
   LIMN_EXPECTS(depths.empty() || depths.size() == mesh.face_count());
   TextWriter text(out);
-  write_positions(text, mesh.positions());
+  for (const glm::dvec3& position : mesh.positions()) {
+    write_position(text, position);
+  }
   write_faces(text, mesh, !depths.empty(),
               [&](std::size_t f) { return static_cast<int>(depths[f]); });
   text.flush();

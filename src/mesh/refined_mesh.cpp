@@ -50,7 +50,7 @@ HalfedgeMesh to_halfedge_mesh(const RefinedMesh& mesh) {
 
   HalfedgeMesh halfedges = detail::assemble_halfedges(faces, edges);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const glm::vec3& p = mesh.positions[v];
+    const glm::dvec3 p = mesh.position(v);
     halfedges.set_point(OpenMesh::VertexHandle(static_cast<int>(v)), {p.x, p.y, p.z});
   }
   return halfedges;

@@ -136,7 +136,7 @@ Result<RefinedMesh> refine_with_hooks(const ControlMesh& mesh, const VertexLabel
   const GeometryRules rules{settings.corners, hooks.faults};
   RefinedMesh output = allocate_output(mesh, steps, prediction);
   Refinement refinement(prediction, rules, progress, hooks);
-  if (!refinement.run(mesh, seed_level(mesh, steps), output)) {
+  if (!refinement.run(mesh, seed_level(mesh, steps, output.origin), output)) {
     return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
   }
   LIMN_ASSERT(greatest_level_difference(output) <= 1);

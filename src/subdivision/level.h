@@ -31,7 +31,7 @@ struct Level {
   FlatArray<std::uint32_t> face_control_faces;
   FlatArray<std::uint8_t> face_is_virtual;  ///< 1: never emitted, all its labels are 0.
 
-  FlatArray<glm::dvec3> positions;  ///< P_k
+  FlatArray<glm::dvec3> positions;  ///< P_k, relative to the refined mesh's origin.
   FlatArray<std::uint8_t> labels;
   FlatArray<std::uint32_t> vertex_outputs;  ///< Vertex of the RefinedMesh; kNone for a virtual one.
   /// The corner at which the counter-clockwise walk around the vertex starts; at a boundary vertex
@@ -82,7 +82,8 @@ struct PolygonSides {
   }
 };
 
-/// The control mesh as level 0.
-[[nodiscard]] Level seed_level(const ControlMesh& mesh, const VertexLabels& labels);
+/// The control mesh as level 0, with positions relative to `origin`.
+[[nodiscard]] Level seed_level(const ControlMesh& mesh, const VertexLabels& labels,
+                               const glm::dvec3& origin);
 
 }  // namespace limn

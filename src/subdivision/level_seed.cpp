@@ -6,7 +6,7 @@
 
 namespace limn {
 
-Level seed_level(const ControlMesh& mesh, const VertexLabels& labels) {
+Level seed_level(const ControlMesh& mesh, const VertexLabels& labels, const glm::dvec3& origin) {
   const FlatTopology& topology = mesh.topology();
   const std::size_t corners = topology.corner_vertices.size();
   const std::size_t faces = mesh.face_count();
@@ -34,7 +34,7 @@ Level seed_level(const ControlMesh& mesh, const VertexLabels& labels) {
   level.vertex_outputs = FlatArray<std::uint32_t>(vertices);
   level.vertex_corners = FlatArray<std::uint32_t>(vertices);
   for (std::uint32_t v = 0; v < vertices; ++v) {
-    level.positions[v] = mesh.positions()[v];
+    level.positions[v] = mesh.positions()[v] - origin;
     level.labels[v] = labels[v];
     level.vertex_outputs[v] = v;
     level.vertex_corners[v] = topology.vertex_corners[topology.vertex_offsets[v]];

@@ -3,6 +3,10 @@
 #include "subdivision/refinement_output.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace limn {
 namespace {
@@ -41,17 +45,28 @@ bool stays_polygon(const ControlMesh& mesh, const VertexLabels& labels, std::uin
   return corners.size() != 4 && labels[corners.front()] == 0;
 }
 
+/// The world's origin, unless floats relative to it would be too coarse. The Catmull-Clark points
+/// of a mesh lie within its bounds, so it is enough to look at these.
+glm::dvec3 origin_of(const Bounds& bounds) {
+  constexpr double kCoarsest = 3e-7;  // Of the diagonal; a third of what a vertex may be off.
+  const glm::dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+  const double rounding = std::ldexp(glm::length(farthest), -24);
+  return rounding > kCoarsest * bounds.diagonal() ? bounds.centre() : glm::dvec3(0.0);
+}
+
 }  // namespace
 
 RefinedMesh allocate_output(const ControlMesh& mesh, const VertexLabels& labels,
                             const RefinementPrediction& prediction) {
   RefinedMesh output;
+  output.origin = origin_of(mesh.bounds());
   output.positions.resize(prediction.vertices);
   output.vertex_levels.resize(prediction.vertices);
   output.face_control_faces.resize(prediction.faces);
   output.face_levels.resize(prediction.faces);
-  std::ranges::transform(mesh.positions(), output.positions.begin(),
-                         [](const glm::dvec3& position) { return glm::vec3(position); });
+  std::ranges::transform(
+      mesh.positions(), output.positions.begin(),
+      [&output](const glm::dvec3& position) { return glm::vec3(position - output.origin); });
   std::size_t polygons = 0;
   std::size_t polygon_sides = 0;
   for (std::uint32_t f = 0; !mesh.is_all_quads() && f < mesh.face_count(); ++f) {

@@ -8,8 +8,8 @@
 // Filling the arrays of a RefinedMesh. Internal to this folder.
 namespace limn {
 
-/// Arrays of their final sizes; the control vertices in place, at level 0, and the non-quads that
-/// stay as they are.
+/// The origin chosen, arrays of their final sizes; the control vertices in place, at level 0, and
+/// the non-quads that stay as they are.
 [[nodiscard]] RefinedMesh allocate_output(const ControlMesh& mesh, const VertexLabels& labels,
                                           const RefinementPrediction& prediction);
 

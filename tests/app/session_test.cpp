@@ -169,6 +169,27 @@ TEST_F(SessionTest, ApplyMakesTheRefinedMeshTheControlMeshAndUndoes) {
   EXPECT_EQ(session_.document().control->face_count(), 6u);
 }
 
+TEST_F(SessionTest, ApplyKeepsAMeshFarFromTheOriginInItsPlace) {
+  const fs::path far = folder_ / "far.obj";
+  // Two unit squares; single precision world coordinates are 64 units apart out there.
+  std::ofstream(far) << "v 1e9 0 5\nv 1000000001 0 5\nv 1000000002 0 5\n"
+                        "v 1e9 1 5\nv 1000000001 1 5\nv 1000000002 1 5\n"
+                        "f 1 2 5 4\nf 2 3 6 5\n";
+  session_.perform({kOpen, far.string()});
+  stroke({0, 1}, DepthChange::set(1));
+  session_.perform(kSubdivide);
+  session_.finish_refinement();
+  session_.perform(kApply);
+  const ControlMesh& control = *session_.document().control;
+  ASSERT_EQ(control.face_count(), 8u);
+  ASSERT_EQ(control.vertex_count(), 15u);
+  EXPECT_EQ(control.positions()[1], glm::dvec3(1000000001, 0, 5));
+  EXPECT_EQ(control.positions()[5], glm::dvec3(1000000002, 1, 5));
+  EXPECT_THAT(control.positions(), testing::Contains(glm::dvec3(1000000001.5, 0.5, 5)));
+  EXPECT_EQ(control.bounds().low, glm::dvec3(1e9, 0, 5));
+  EXPECT_EQ(control.bounds().high, glm::dvec3(1000000002, 1, 5));
+}
+
 TEST_F(SessionTest, BadFileLeavesTheDocumentAndSaysWhy) {
   const fs::path bad = folder_ / "bad.obj";
   std::ofstream(bad) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n";

@@ -376,7 +376,7 @@ TEST(Creature, RefinesItsPaintedHeadWithoutCracks) {
   // What no step reached is where it was; the head has drawn in by more than a rounding.
   double farthest = 0.0;
   for (std::size_t v = 0; v < mesh->vertex_count(); ++v) {
-    const double moved = glm::distance(mesh->positions()[v], dvec3(refined->positions[v]));
+    const double moved = glm::distance(mesh->positions()[v], refined->position(v));
     if (refined->vertex_levels[v] == 0) {
       EXPECT_LT(moved, 1e-6) << "vertex " << v;
     }

@@ -113,6 +113,20 @@ TEST(WriteObj, FloatsComeBackBitForBit) {
   }
 }
 
+TEST(WriteObj, AMeshWithAnOriginComesBackInWorldCoordinates) {
+  RefinedMesh mesh = strip();
+  mesh.origin = {1e9, -2e6, 0.0};
+  mesh.positions[0] = {0.1F, 0.25F, -0.1F};
+  const std::string text = text_of(mesh, {});
+  EXPECT_THAT(text, testing::StartsWith("v 1000000000.1 -1999999.75 -0.10000000149011612\n"
+                                        "v 1000000001 -2000000 0\n"));
+  const auto again = import_obj(text, "written");
+  ASSERT_TRUE(again.has_value());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    EXPECT_EQ(again->mesh->positions()[v], mesh.position(v)) << "vertex " << v;
+  }
+}
+
 class ExportObj : public testing::Test {
  protected:
   ExportObj()
@@ -162,6 +176,15 @@ TEST(RefinedMesh, BecomesAHalfedgeMeshWithTheSameNumbers) {
   }
   EXPECT_EQ(halfedges.point(OpenMesh::VertexHandle(4))[2], double{0.1F});
   EXPECT_EQ(mesh.bytes(), 9 * 12 + 9 + 2 * 16 + 2 * 4 + 5 * 4 + 3 * 4 + 3U);
+}
+
+TEST(RefinedMesh, BecomesAHalfedgeMeshInWorldCoordinates) {
+  RefinedMesh mesh = strip();
+  mesh.origin = {1e9, -2e6, 0.5};
+  const HalfedgeMesh halfedges = to_halfedge_mesh(mesh);
+  const auto& point = halfedges.point(OpenMesh::VertexHandle(5));
+  EXPECT_EQ(glm::dvec3(point[0], point[1], point[2]), glm::dvec3(1e9 + 2.5, -2e6 + 0.5, 0.5));
+  EXPECT_EQ(mesh.position(5), glm::dvec3(1e9 + 2.5, -2e6 + 0.5, 0.5));
 }
 
 }  // namespace

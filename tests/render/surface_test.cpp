@@ -90,6 +90,16 @@ TEST(Surface, RefinedFacesKnowTheirControlFaceAndLevel) {
   EXPECT_TRUE(surface.edges.empty());
 }
 
+TEST(Surface, RefinedPositionsLoseNothingFarFromTheWorldsOrigin) {
+  RefinedMesh mesh = small_refined();
+  mesh.origin = {3e9, -1e9, 7e8};
+  mesh.positions[0] = {0.1F, 0.2F, 0.3F};
+  const Surface same = make_surface(mesh, mesh.origin, 5);
+  EXPECT_EQ(same.positions, mesh.positions);
+  const Surface beside = make_surface(mesh, mesh.origin + glm::dvec3(1, 0, -2), 5);
+  EXPECT_EQ(beside.positions[0], glm::vec3(glm::dvec3(mesh.positions[0]) - glm::dvec3(1, 0, -2)));
+}
+
 TEST(Surface, EmptyRefinedMeshIsAnEmptySurface) {
   const Surface surface = make_surface(RefinedMesh{}, glm::dvec3(0), 0);
   EXPECT_TRUE(surface.groups.empty());

@@ -18,15 +18,8 @@
 namespace limn::test {
 namespace {
 
-/// 1e-6 of the diagonal, and what the rounding of a coordinate to float can add to it: on meshes
-/// that lie far from the origin that is the greater part.
 double tolerance_of(const ControlMesh& mesh) {
-  double greatest = 0.0;
-  for (const glm::dvec3& position : mesh.positions()) {
-    greatest =
-        std::max({greatest, std::abs(position.x), std::abs(position.y), std::abs(position.z)});
-  }
-  return 1e-6 * mesh.bounds().diagonal() + std::sqrt(3.0) * std::ldexp(greatest, -24);
+  return 1e-6 * mesh.bounds().diagonal();
 }
 
 /// The same connectivity, numbers and all, with every vertex anywhere in the unit cube.
@@ -83,7 +76,7 @@ std::optional<Matching> matched(const std::vector<glm::dvec3>& points,
   std::unordered_multimap<std::uint64_t, std::uint32_t> cells;
   cells.reserve(mesh.vertex_count());
   for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
-    cells.emplace(key(mesh.positions[i], kHere), i);
+    cells.emplace(key(mesh.position(i), kHere), i);
   }
   Matching matching;
   std::vector<char> is_taken(mesh.vertex_count(), 0);
@@ -93,7 +86,7 @@ std::optional<Matching> matched(const std::vector<glm::dvec3>& points,
       const auto [begin, end] = cells.equal_range(key(points[i], neighbour));
       for (auto it = begin; it != end; ++it) {
         const std::uint32_t v = it->second;
-        if (glm::distance(points[i], glm::dvec3(mesh.positions[v])) > tolerance) {
+        if (glm::distance(points[i], mesh.position(v)) > tolerance) {
           continue;
         }
         matching.is_unique = matching.is_unique && best == kNone && is_taken[v] == 0;
@@ -197,7 +190,7 @@ Exactness UniformReference::compare(const VertexLabels& labels, const Subdivisio
       result.difference += fmt::format("level of vertex {} differs", v);
       break;
     }
-    const double deviation = glm::distance(glm::dvec3(refined_mesh->positions[v]), expected[i]);
+    const double deviation = glm::distance(refined_mesh->position(v), expected[i]);
     result.greatest_deviation =
         std::max(result.greatest_deviation, deviation / mesh_->bounds().diagonal());
     result.off += deviation <= tolerance ? 0 : 1;

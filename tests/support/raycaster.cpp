@@ -42,7 +42,10 @@ Polygons polygons_of(const ControlMesh& mesh) {
 
 Polygons polygons_of(const RefinedMesh& mesh) {
   Polygons polygons = gather(mesh);
-  polygons.positions.assign(mesh.positions.begin(), mesh.positions.end());
+  polygons.positions.reserve(mesh.vertex_count());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    polygons.positions.push_back(mesh.position(v));
+  }
   return polygons;
 }
 

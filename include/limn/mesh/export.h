@@ -11,7 +11,8 @@
 
 namespace limn {
 
-/// Writes a refined mesh as OBJ text. Positions with as many digits as give the same float back;
+/// Writes a refined mesh as OBJ text, in world coordinates. Positions have as many digits as give
+/// the same number back: the float, or the double where the mesh has an origin of its own.
 /// `depths[f]`, the depth of control face f, groups the faces by `usemtl depth_N`, which other
 /// programs keep. Pass an empty span to leave the groups out. Faces keep their order, so a group
 /// statement stands wherever the depth changes.

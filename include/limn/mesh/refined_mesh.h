@@ -17,8 +17,16 @@ namespace limn {
 ///
 /// Vertices 0..control vertex count - 1 are the control mesh's, in its order. Faces are numbered
 /// quads first, then the others.
+///
+/// Positions are single precision relative to `origin`. Most meshes lie close enough to the world's
+/// origin for that to be their origin too, and then positions are plain world coordinates. Where
+/// the rounding of world coordinates to float could move a vertex by more than 3e-7 of the control
+/// mesh's diagonal, which is to say where its bounds reach further than some five diagonals from
+/// the world's origin, `origin` is the centre of those bounds. So a vertex is never further than
+/// that from where it belongs (diagonals below 1e-36, the end of float's range, excepted).
 struct RefinedMesh {
-  std::vector<glm::vec3> positions;         ///< In the control mesh's units and frame.
+  glm::dvec3 origin{0.0};                   ///< World position that `positions` are relative to.
+  std::vector<glm::vec3> positions;         ///< In the control mesh's units, along its axes.
   std::vector<std::uint8_t> vertex_levels;  ///< Level k at which the vertex was made or last moved:
                                             ///< its position is P_k of uniform Catmull-Clark.
 
@@ -33,13 +41,18 @@ struct RefinedMesh {
   [[nodiscard]] std::size_t vertex_count() const noexcept { return positions.size(); }
   [[nodiscard]] std::size_t polygon_count() const noexcept { return polygon_offsets.size() - 1; }
   [[nodiscard]] std::size_t face_count() const noexcept { return quads.size() + polygon_count(); }
+  /// World position of vertex v, in the control mesh's frame.
+  [[nodiscard]] glm::dvec3 position(std::size_t v) const noexcept {
+    return origin + glm::dvec3(positions[v]);
+  }
   /// Vertices of face f, quads and others alike.
   [[nodiscard]] std::span<const std::uint32_t> face(std::size_t f) const noexcept;
   /// Bytes of the elements of all arrays: what a prediction foretells.
   [[nodiscard]] std::size_t bytes() const noexcept;
 };
 
-/// The refined mesh as a half-edge mesh with the same vertex and face numbers.
+/// The refined mesh as a half-edge mesh with the same vertex and face numbers, in world
+/// coordinates.
 [[nodiscard]] HalfedgeMesh to_halfedge_mesh(const RefinedMesh& mesh);
 
 }  // namespace limn

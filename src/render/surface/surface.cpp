@@ -104,8 +104,9 @@ Surface make_surface(const RefinedMesh& mesh, const glm::dvec3& origin,
   surface.origin = origin;
   surface.control_face_count = control_face_count;
   surface.positions.reserve(mesh.vertex_count());
+  const glm::dvec3 shift = mesh.origin - origin;
   for (const glm::vec3& position : mesh.positions) {
-    surface.positions.emplace_back(glm::dvec3(position) - origin);
+    surface.positions.emplace_back(glm::dvec3(position) + shift);
   }
   const std::size_t count = mesh.face_count();
   std::vector<std::uint32_t> source_faces;
