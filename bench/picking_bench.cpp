@@ -62,7 +62,7 @@ constexpr std::uint32_t kSide = 632;  // 399,424 quads.
 
 void draw_id_image(benchmark::State& state) {
   Stage stage(kSide);
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     stage.view.yaw += 0.01;
     benchmark::DoNotOptimize(stage.picker->pick({*stage.buffers, stage.camera()}, {512.0, 512.0}));
   }
@@ -72,7 +72,7 @@ BENCHMARK(draw_id_image)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond)
 void pick_in_still_picture(benchmark::State& state) {
   Stage stage(kSide);
   const Camera camera = stage.camera();
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(stage.picker->pick({*stage.buffers, camera}, {512.0, 512.0}));
   }
 }
@@ -82,7 +82,7 @@ void brush_in_still_picture(benchmark::State& state) {
   Stage stage(kSide);
   const Camera camera = stage.camera();
   const auto radius = static_cast<double>(state.range(0));
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(
         stage.picker->brush({*stage.buffers, camera}, {{500.0, 500.0}, {520.0, 510.0}, radius}));
   }
@@ -92,7 +92,7 @@ BENCHMARK(brush_in_still_picture)->Arg(5)->Arg(20)->Arg(100)->Unit(benchmark::kM
 void all_visible_in_still_picture(benchmark::State& state) {
   Stage stage(kSide);
   const Camera camera = stage.camera();
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(stage.picker->visible_faces({*stage.buffers, camera}));
   }
 }
