@@ -4,6 +4,9 @@
 # started from. Generates a header "embedded/<last part of NAMESPACE>.h" with
 #   namespace NAMESPACE { std::span<const EmbeddedFile> files(); }
 # listing the files by name, in the order given.
+# Everything generated, without compiling it: what tools that read the sources need.
+add_custom_target(limn_generated)
+
 set(LIMN_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake)
 
 function(limn_embed target namespace)
@@ -22,6 +25,8 @@ function(limn_embed target namespace)
     DEPENDS ${inputs} ${LIMN_EMBED_SCRIPT}
     COMMENT "Embedding ${room}"
     VERBATIM)
+  add_custom_target(${target}_generated_${room} DEPENDS ${out}/${room}.cpp ${out}/${room}.h)
+  add_dependencies(limn_generated ${target}_generated_${room})
   # An object library of this folder, since the rule above is known to targets of this folder alone
   # and TARGET may belong to another one.
   add_library(${target}_embedded_${room} OBJECT ${out}/${room}.cpp ${out}/${room}.h)

@@ -42,8 +42,7 @@ Result<void> ViewportScene::sync(const Session& session) {
   const Document& document = session.document();
   const LiveRefinement& refinement = session.refinement();
   if (control_mesh_ != document.control) {
-    const auto uploaded =
-        control_.upload(render::make_surface(*document.control), ++control_revision_);
+    auto uploaded = control_.upload(render::make_surface(*document.control), ++control_revision_);
     if (!uploaded) {
       return uploaded;
     }
@@ -63,7 +62,7 @@ Result<void> ViewportScene::sync(const Session& session) {
     refined_revision_ = refinement.refined_revision();
     ++content_;
     if (result != nullptr) {
-      const auto uploaded = refined_.upload(*result->surface, refinement.refined_revision() + 1);
+      auto uploaded = refined_.upload(*result->surface, refinement.refined_revision() + 1);
       if (!uploaded) {
         return uploaded;
       }
