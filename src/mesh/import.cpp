@@ -1,95 +1,21 @@
-// Opens without blocking and looks at what was opened before reading, so that a pipe or a device
-// is refused instead of waited for.
+// Chooses the reader by the ending of the name.
 #include "limn/mesh/import.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <new>
+#include <string>
 #include <system_error>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "mesh/import_limits.h"
 #include "mesh/printable.h"
+#include "regular_file.h"
 
 namespace limn {
 namespace {
-
-/// Owns a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) {
-      ::close(number_);
-    }
-  }
-  [[nodiscard]] int number() const noexcept { return number_; }
-
- private:
-  int number_;
-};
-
-tl::unexpected<Error> cannot_read(const std::filesystem::path& path, int error) {
-  return fail(ErrorKind::kBadInput,
-              error == ENOENT ? "There is no such file."
-                              : fmt::format("Cannot read the file: {}.",
-                                            std::generic_category().message(error)),
-              path.string());
-}
-
-Result<std::string> read_file(const std::filesystem::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-  struct stat about {};
-  if (file.number() < 0 || ::fstat(file.number(), &about) != 0) {
-    return cannot_read(path, errno);
-  }
-  if (S_ISDIR(about.st_mode)) {
-    return fail(ErrorKind::kBadInput, "This is a folder; choose a mesh file in it.", path.string());
-  }
-  if (!S_ISREG(about.st_mode)) {
-    return fail(ErrorKind::kBadInput, "This is not a regular file but a device, pipe or socket.",
-                path.string());
-  }
-  const auto expected = static_cast<std::size_t>(about.st_size);
-  if (expected > detail::most_import_bytes) {
-    return fail(ErrorKind::kBadInput, detail::too_large(expected), path.string());
-  }
-
-  // The file may grow or shrink meanwhile, and some tell no size: read until the end.
-  std::string text;
-  std::size_t filled = 0;
-  text.resize(expected + 1);
-  while (true) {
-    const ssize_t got = ::read(file.number(), text.data() + filled, text.size() - filled);
-    if (got < 0 && errno == EINTR) {
-      continue;
-    }
-    if (got < 0) {
-      return cannot_read(path, errno);
-    }
-    if (got == 0) {
-      break;
-    }
-    filled += static_cast<std::size_t>(got);
-    if (filled > detail::most_import_bytes) {
-      return fail(ErrorKind::kBadInput, detail::too_large(filled), path.string());
-    }
-    if (filled == text.size()) {
-      text.resize(2 * text.size());
-    }
-  }
-  text.resize(filled);
-  return text;
-}
 
 std::string lower_case_ending(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -99,11 +25,6 @@ std::string lower_case_ending(const std::filesystem::path& path) {
 }
 
 }  // namespace
-
-std::string detail::too_large(std::size_t bytes) {
-  return fmt::format("The file has {} bytes; files of up to {} GiB are read.", bytes,
-                     most_import_bytes >> 30U);
-}
 
 Result<ImportedMesh> import_mesh(const std::filesystem::path& path) {
   try {
@@ -119,7 +40,7 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path) {
                                     detail::printable(ending)),
                   path.string());
     }
-    auto text = read_file(path);
+    auto text = read_regular_file(path, detail::most_import_bytes);
     if (!text) {
       return tl::unexpected<Error>(std::move(text.error()));
     }

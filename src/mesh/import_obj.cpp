@@ -13,6 +13,7 @@
 #include "limn/mesh/import.h"
 #include "mesh/import_limits.h"
 #include "mesh/obj_statements.h"
+#include "regular_file.h"
 
 namespace limn {
 namespace {
@@ -128,7 +129,7 @@ Result<ImportedMesh> read_and_build(std::string_view text, const std::string& so
 
 Result<ImportedMesh> import_obj(std::string_view text, const std::string& source) {
   if (text.size() > detail::most_import_bytes) {
-    return fail(ErrorKind::kBadInput, detail::too_large(text.size()), source);
+    return fail(ErrorKind::kBadInput, too_large(text.size(), detail::most_import_bytes), source);
   }
   try {
     return read_and_build(text, source);

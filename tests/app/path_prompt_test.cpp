@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include <unistd.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "support/scratch_folder.h"
 
 namespace limn::app {
 namespace {
@@ -24,7 +24,6 @@ class PathPromptTest : public testing::Test {
       std::ofstream(folder_ / name) << "1234";
     }
   }
-  ~PathPromptTest() override { fs::remove_all(folder_); }
 
   static std::vector<std::string> names(const ui::PathPrompt& prompt) {
     std::vector<std::string> all;
@@ -34,7 +33,8 @@ class PathPromptTest : public testing::Test {
     return all;
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("limn-prompt-" + std::to_string(::getpid()));
+  test::ScratchFolder scratch_;
+  fs::path folder_ = scratch_.path();
 };
 
 TEST_F(PathPromptTest, ListsFoldersThenFilesThatFit) {

@@ -7,13 +7,12 @@
 #include <variant>
 #include <vector>
 
-#include <unistd.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/mesh/import.h"
 #include "limn/mesh/refined_mesh.h"
+#include "support/scratch_folder.h"
 
 namespace limn::app {
 namespace {
@@ -25,14 +24,7 @@ using testing::IsEmpty;
 
 class SessionTest : public testing::Test {
  protected:
-  SessionTest()
-      : folder_(fs::temp_directory_path() /
-                ("limn-session-" + std::to_string(::getpid()) + "-" +
-                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::create_directories(folder_);
-    session_.perform({kOpenBundled, std::string("cube")});
-  }
-  ~SessionTest() override { fs::remove_all(folder_); }
+  SessionTest() { session_.perform({kOpenBundled, std::string("cube")}); }
 
   void stroke(std::vector<std::uint32_t> faces, DepthChange change = DepthChange::add(1)) {
     session_.begin_stroke(change);
@@ -54,7 +46,7 @@ class SessionTest : public testing::Test {
     return session_.toasts().empty() ? "" : session_.toasts().back().text;
   }
 
-  fs::path folder_;
+  test::ScratchFolder folder_;
   std::vector<std::uint32_t> visible_{0, 2};
   Session session_{{[] {}, [this]() -> Result<std::vector<std::uint32_t>> { return visible_; }}};
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 namespace limn::test {
 

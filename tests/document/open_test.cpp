@@ -6,14 +6,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "document/temporary_folder.h"
 #include "limn/mesh/bundled.h"
+#include "support/scratch_folder.h"
 
 namespace limn {
 namespace {
 
-using test::TemporaryFolder;
-using test::write_text;
+using test::ScratchFolder;
+using test::write_file;
 using ::testing::HasSubstr;
 
 TEST(OpenDocument, BundledMeshesByName) {
@@ -28,9 +28,9 @@ TEST(OpenDocument, BundledMeshesByName) {
 }
 
 TEST(OpenDocument, MeshFiles) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::filesystem::path path = folder / "triangle.obj";
-  write_text(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\n");
+  write_file(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\n");
   const Result<Project> opened = open_document(path.string());
   ASSERT_TRUE(opened) << to_string(opened.error());
   EXPECT_EQ(opened->document.name, "triangle.obj");
@@ -41,7 +41,7 @@ TEST(OpenDocument, MeshFiles) {
 }
 
 TEST(OpenDocument, Projects) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   Document cube = open_document("cube").value().document;
   cube.depths.set(2, 7);
   const ViewState view{{1, 2, 3}, 4, 5, 6, 7, false};
@@ -55,7 +55,7 @@ TEST(OpenDocument, Projects) {
 }
 
 TEST(OpenDocument, AFileWinsOverABundledMesh) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(folder.path());
   std::filesystem::create_directory("cube");
@@ -74,12 +74,12 @@ TEST(OpenDocument, NamesTheBundledMeshesWhereNothingFits) {
 }
 
 TEST(OpenDocument, PassesOnWhatIsWrongWithAFile) {
-  const TemporaryFolder folder;
-  write_text(folder / "bad.limn", "{");
+  const ScratchFolder folder;
+  write_file(folder / "bad.limn", "{");
   const Result<Project> project = open_document((folder / "bad.limn").string());
   ASSERT_FALSE(project);
   EXPECT_THAT(project.error().message, HasSubstr("JSON"));
-  write_text(folder / "bad.obj", "v 0 0 0\n");
+  write_file(folder / "bad.obj", "v 0 0 0\n");
   EXPECT_FALSE(open_document((folder / "bad.obj").string()));
 }
 

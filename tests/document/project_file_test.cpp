@@ -12,17 +12,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "document/temporary_folder.h"
 #include "limn/document/commands.h"
 #include "limn/mesh/bundled.h"
 #include "limn/mesh/import.h"
+#include "support/scratch_folder.h"
 
 namespace limn {
 namespace {
 
-using test::read_text;
-using test::TemporaryFolder;
-using test::write_text;
+using test::read_file;
+using test::ScratchFolder;
+using test::write_file;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -64,7 +64,7 @@ class ProjectFile : public ::testing::Test {
  protected:
   /// What loading this text complains about, as a person would read it.
   std::string complaint(std::string_view text) {
-    write_text(path_, text);
+    write_file(path_, text);
     const Result<Project> project = load_project(path_);
     if (project) {
       return "was loaded";
@@ -80,7 +80,7 @@ class ProjectFile : public ::testing::Test {
     Document document = open("cube");
     document.depths.set(3, 5);
     EXPECT_TRUE(save_project(path_, document, ViewState{}));
-    return read_text(path_);
+    return read_file(path_);
   }
 
   /// The cube's text with one piece of it replaced, and what loading it complains about.
@@ -91,7 +91,7 @@ class ProjectFile : public ::testing::Test {
     return complaint(text.replace(at, piece.size(), other));
   }
 
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
   std::filesystem::path path_ = folder_ / "test.limn";
   std::size_t line_ = 0;
 };
@@ -116,9 +116,9 @@ TEST_F(ProjectFile, ComesBackAsItWas) {
     EXPECT_EQ(loaded->document.project_path, path_);
 
     // And saving it again gives the same bytes.
-    const std::string text = read_text(path_);
+    const std::string text = read_file(path_);
     ASSERT_TRUE(save_project(path_, loaded->document, loaded->view));
-    EXPECT_EQ(read_text(path_), text);
+    EXPECT_EQ(read_file(path_), text);
   }
 }
 
@@ -338,16 +338,16 @@ TEST_F(ProjectFile, RefusesWhatIsNoRegularFile) {
     EXPECT_EQ(project.error().kind, ErrorKind::kBadInput);
     return project.error().message;
   };
-  EXPECT_THAT(refused(folder_ / "missing.limn"), HasSubstr("No such file"));
+  EXPECT_THAT(refused(folder_ / "missing.limn"), HasSubstr("no such file"));
   EXPECT_THAT(refused(folder_.path()), HasSubstr("folder"));
   EXPECT_THAT(refused("/dev/zero"), HasSubstr("not a regular file"));
   const std::filesystem::path pipe = folder_ / "pipe.limn";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THAT(refused(pipe), HasSubstr("not a regular file"));  // And does not wait for a writer.
   const std::filesystem::path huge = folder_ / "huge.limn";
-  write_text(huge, "{");
+  write_file(huge, "{");
   std::filesystem::resize_file(huge, std::uintmax_t{1} << 40U);  // Sparse: takes no room.
-  EXPECT_THAT(refused(huge), HasSubstr("larger than"));
+  EXPECT_THAT(refused(huge), HasSubstr("files of up to 1 GiB are read"));
 }
 
 TEST_F(ProjectFile, AFailedSaveLeavesTheOldFile) {
@@ -357,7 +357,7 @@ TEST_F(ProjectFile, AFailedSaveLeavesTheOldFile) {
   const Result<void> saved = save_project(path_, open("grid"), nowhere);
   ASSERT_FALSE(saved);
   EXPECT_EQ(saved.error().kind, ErrorKind::kFailed);
-  EXPECT_EQ(read_text(path_), before);
+  EXPECT_EQ(read_file(path_), before);
   EXPECT_FALSE(save_project(folder_ / "no/such/folder.limn", open("cube"), std::nullopt));
 }
 
@@ -366,7 +366,7 @@ TEST_F(ProjectFile, DamagedProjectsAreRefusedOrWhole) {
   Document document = open("mixed");
   document.depths.set(7, 3);
   ASSERT_TRUE(save_project(path_, document, ViewState{}));
-  const std::string mixed = read_text(path_);
+  const std::string mixed = read_file(path_);
   const std::string cube = cube_text();
   const std::string_view pieces = "0123456789[]{},:\"-.eEtfn \\u\n\xFF\x80";
   std::mt19937 random(23);
@@ -388,7 +388,7 @@ TEST_F(ProjectFile, DamagedProjectsAreRefusedOrWhole) {
       default:
         text.erase(random() % text.size(), 1 + random() % 20);
     }
-    write_text(path_, text);
+    write_file(path_, text);
     const Result<Project> project = load_project(path_);
     if (!project) {
       ASSERT_EQ(project.error().kind, ErrorKind::kBadInput);
@@ -411,12 +411,12 @@ TEST_F(ProjectFile, DamagedProjectsAreRefusedOrWhole) {
 class ViewFile : public ::testing::Test {
  protected:
   std::string complaint(std::string_view text) {
-    write_text(path_, text);
+    write_file(path_, text);
     const Result<ViewState> view = load_view(path_);
     return view ? "was loaded" : view.error().message;
   }
 
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
   std::filesystem::path path_ = folder_ / "camera.json";
 };
 
@@ -431,9 +431,9 @@ TEST_F(ViewFile, ComesBackAsItWas) {
 TEST_F(ViewFile, IsTheViewOfAProject) {
   const ViewState view{{1, 2, 3}, 4, 5, 6, 7, true};
   ASSERT_TRUE(save_project(folder_ / "p.limn", open("cube"), view));
-  const std::string text = read_text(folder_ / "p.limn");
+  const std::string text = read_file(folder_ / "p.limn");
   const std::size_t begin = text.find('{', text.find("\"view\""));
-  write_text(path_, text.substr(begin, text.find('}', begin) - begin + 1));
+  write_file(path_, text.substr(begin, text.find('}', begin) - begin + 1));
   EXPECT_EQ(load_view(path_).value(), view);
 }
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,30 +16,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/scratch_folder.h"
+
 namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
+using test::read_file;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 class AtomicFile : public testing::Test {
  protected:
-  AtomicFile()
-      : folder_(fs::temp_directory_path() / ("limn_atomic_" + std::to_string(::getpid()))) {
-    fs::create_directory(folder_);
-    std::ofstream(file()) << "old";
-  }
-  ~AtomicFile() override {
-    fs::permissions(folder_, fs::perms::owner_all);
-    fs::remove_all(folder_);
-  }
+  AtomicFile() { test::write_file(file(), "old"); }
+  ~AtomicFile() override { fs::permissions(folder_, fs::perms::owner_all); }
 
   [[nodiscard]] fs::path file() const { return folder_ / "file"; }
-  static std::string contents(const fs::path& path) {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
   static Result<void> write(const fs::path& path, const std::string& text) {
     return write_file_atomically(path, [&](std::ostream& out) { out << text; });
   }
@@ -54,12 +45,13 @@ class AtomicFile : public testing::Test {
     return found;
   }
 
-  const fs::path folder_;
+  const test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(AtomicFile, ReplacesTheOldContents) {
   ASSERT_TRUE(write(file(), "new").has_value());
-  EXPECT_EQ(contents(file()), "new");
+  EXPECT_EQ(read_file(file()), "new");
   EXPECT_THAT(names(), ElementsAre("file"));
 }
 
@@ -67,7 +59,7 @@ TEST_F(AtomicFile, MakesANewFileWithTheRightsOfTheUmask) {
   const mode_t before = ::umask(027);
   ASSERT_TRUE(write(folder_ / "made", "text").has_value());
   ::umask(before);
-  EXPECT_EQ(contents(folder_ / "made"), "text");
+  EXPECT_EQ(read_file(folder_ / "made"), "text");
   EXPECT_EQ(fs::status(folder_ / "made").permissions(), fs::perms(0640));
 }
 
@@ -83,13 +75,13 @@ TEST_F(AtomicFile, WritesMoreThanItsBuffer) {
     text += std::to_string(i) + "\n";
   }
   ASSERT_TRUE(write(file(), text).has_value());
-  EXPECT_EQ(contents(file()), text);
+  EXPECT_EQ(read_file(file()), text);
   ASSERT_TRUE(write_file_atomically(file(), [&](std::ostream& out) {
                 for (const char c : text) {
                   out.put(c);
                 }
               }).has_value());
-  EXPECT_EQ(contents(file()), text);
+  EXPECT_EQ(read_file(file()), text);
 }
 
 TEST_F(AtomicFile, WritesThroughASymbolicLink) {
@@ -98,7 +90,7 @@ TEST_F(AtomicFile, WritesThroughASymbolicLink) {
   fs::create_symlink("elsewhere/real", folder_ / "link");
   ASSERT_TRUE(write(folder_ / "link", "new").has_value());
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_EQ(contents(folder_ / "elsewhere" / "real"), "new");
+  EXPECT_EQ(read_file(folder_ / "elsewhere" / "real"), "new");
   EXPECT_THAT(names(), ElementsAre("elsewhere", "file", "link"));
 }
 
@@ -106,7 +98,7 @@ TEST_F(AtomicFile, WritesThroughALinkToWhatIsNotThereYet) {
   fs::create_symlink("target", folder_ / "link");
   ASSERT_TRUE(write(folder_ / "link", "new").has_value());
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_EQ(contents(folder_ / "target"), "new");
+  EXPECT_EQ(read_file(folder_ / "target"), "new");
 }
 
 TEST_F(AtomicFile, WritesToAPlainNameInTheWorkingFolder) {
@@ -115,7 +107,7 @@ TEST_F(AtomicFile, WritesToAPlainNameInTheWorkingFolder) {
   const auto written = write("file", "new");
   fs::current_path(before);
   ASSERT_TRUE(written.has_value()) << to_string(written.error());
-  EXPECT_EQ(contents(file()), "new");
+  EXPECT_EQ(read_file(file()), "new");
   EXPECT_THAT(names(), ElementsAre("file"));
 }
 
@@ -133,7 +125,7 @@ TEST_F(AtomicFile, KeepsTheOldFileWhereTheDiskIsFull) {
   EXPECT_EQ(written.error().kind, ErrorKind::kFailed);
   EXPECT_EQ(written.error().path, file().string());
   EXPECT_THAT(written.error().message, HasSubstr("File too large"));
-  EXPECT_EQ(contents(file()), "old");
+  EXPECT_EQ(read_file(file()), "old");
   EXPECT_THAT(names(), ElementsAre("file"));
 }
 
@@ -143,7 +135,7 @@ TEST_F(AtomicFile, KeepsTheOldFileWhereTheWriterFails) {
     out.setstate(std::ios::failbit);
   });
   ASSERT_FALSE(written.has_value());
-  EXPECT_EQ(contents(file()), "old");
+  EXPECT_EQ(read_file(file()), "old");
   EXPECT_THAT(names(), ElementsAre("file"));
 }
 
@@ -154,7 +146,7 @@ TEST_F(AtomicFile, KeepsTheOldFileWhereTheWriterThrows) {
                                                          throw std::runtime_error("no");
                                                        })),
                std::runtime_error);
-  EXPECT_EQ(contents(file()), "old");
+  EXPECT_EQ(read_file(file()), "old");
   EXPECT_THAT(names(), ElementsAre("file"));
 }
 
@@ -176,7 +168,7 @@ TEST_F(AtomicFile, FailsInAFolderThatCannotBeWrittenTo) {
   if (::geteuid() != 0) {
     fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_THAT(write(file(), "new").error().message, HasSubstr("Permission denied"));
-    EXPECT_EQ(contents(file()), "old");
+    EXPECT_EQ(read_file(file()), "old");
   }
 }
 

@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -22,7 +20,6 @@
 #include <vector>
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -31,16 +28,12 @@
 #include "limn/mesh/statistics.h"
 #include "limn/subdivision/crack_check.h"
 #include "limn/subdivision/label_subdivision.h"
+#include "support/scratch_folder.h"
 
 namespace limn {
 namespace {
 
 using glm::dvec3;
-
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 std::shared_ptr<const ControlMesh> mesh_of(std::string_view name) {
   const Result<ImportedMesh> imported = load_bundled_mesh(name);
@@ -124,24 +117,13 @@ double flattest_corner(const ControlMesh& mesh, std::size_t f) {
   return flattest;
 }
 
-class GeneratedMeshes : public ::testing::Test {
- protected:
-  GeneratedMeshes()
-      : folder(std::filesystem::temp_directory_path() /
-               ("limn-generated-meshes-" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder);
-  }
-  ~GeneratedMeshes() override { std::filesystem::remove_all(folder); }
-
-  std::filesystem::path folder;
-};
-
-TEST_F(GeneratedMeshes, AreTheOnesInTheProgram) {
+TEST(GeneratedMeshes, AreTheOnesInTheProgram) {
+  const test::ScratchFolder folder;
   const std::string command =
-      std::string("'") + LIMN_GENERATE_MESHES + "' '" + folder.string() + "'";
+      std::string("'") + LIMN_GENERATE_MESHES + "' '" + folder.path().string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     files += entry.is_regular_file() ? 1 : 0;
   }
   EXPECT_EQ(files, bundled_meshes().size());
@@ -149,8 +131,8 @@ TEST_F(GeneratedMeshes, AreTheOnesInTheProgram) {
     const std::string name = std::string(mesh.name) + ".obj";
     EXPECT_FALSE(mesh.description.empty()) << name;
     EXPECT_THAT(mesh.obj_text, ::testing::StartsWith("# ")) << name;
-    EXPECT_EQ(read_file(folder / name), mesh.obj_text) << name;
-    EXPECT_EQ(read_file(std::filesystem::path(LIMN_ASSETS) / "meshes" / name), mesh.obj_text)
+    EXPECT_EQ(test::read_file(folder / name), mesh.obj_text) << name;
+    EXPECT_EQ(test::read_file(std::filesystem::path(LIMN_ASSETS) / "meshes" / name), mesh.obj_text)
         << name;
   }
 }

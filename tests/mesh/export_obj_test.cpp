@@ -2,21 +2,17 @@
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limn/mesh/import.h"
 #include "mesh/mesh_checks.h"
+#include "support/scratch_folder.h"
 
 namespace limn {
 namespace {
@@ -129,21 +125,13 @@ TEST(WriteObj, AMeshWithAnOriginComesBackInWorldCoordinates) {
 
 class ExportObj : public testing::Test {
  protected:
-  ExportObj()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("limn_export_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directory(folder_);
-  }
-  ~ExportObj() override { std::filesystem::remove_all(folder_); }
-
-  const std::filesystem::path folder_;
+  const test::ScratchFolder folder_;
 };
 
 TEST_F(ExportObj, WritesWhatWriteObjWrites) {
   const std::vector<std::uint8_t> depths = {1, 2, 3};
   ASSERT_TRUE(export_obj(folder_ / "strip.obj", strip(), depths).has_value());
-  std::ifstream in(folder_ / "strip.obj");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), text_of(strip(), depths));
+  EXPECT_EQ(test::read_file(folder_ / "strip.obj"), text_of(strip(), depths));
 
   const auto imported = import_mesh(folder_ / "strip.obj");
   ASSERT_TRUE(imported.has_value());

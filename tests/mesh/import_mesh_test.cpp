@@ -1,7 +1,6 @@
 // Files as the operating system has them.
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <sys/socket.h>
@@ -14,6 +13,7 @@
 
 #include "limn/mesh/import.h"
 #include "mesh/mesh_checks.h"
+#include "support/scratch_folder.h"
 
 namespace limn {
 namespace {
@@ -26,14 +26,8 @@ const std::string Triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 class ImportMesh : public testing::Test {
  protected:
-  ImportMesh()
-      : folder_(fs::temp_directory_path() / ("limn_import_" + std::to_string(::getpid()))) {
-    fs::create_directory(folder_);
-  }
-  ~ImportMesh() override { fs::remove_all(folder_); }
-
   fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
+    test::write_file(folder_ / name, text);
     return folder_ / name;
   }
   /// The message of a path that must be refused; its error names the path.
@@ -47,7 +41,8 @@ class ImportMesh : public testing::Test {
     return imported.error().message;
   }
 
-  const fs::path folder_;
+  const test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(ImportMesh, ReadsFilesWhateverTheCaseOfTheirEnding) {

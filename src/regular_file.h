@@ -15,4 +15,7 @@ namespace limn {
 [[nodiscard]] Result<std::string> read_regular_file(const std::filesystem::path& path,
                                                     std::size_t most_bytes);
 
+/// The message for a file of `bytes` where `most_bytes`, a whole number of MiB, are read.
+[[nodiscard]] std::string too_large(std::size_t bytes, std::size_t most_bytes);
+
 }  // namespace limn
