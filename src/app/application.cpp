@@ -17,10 +17,6 @@ namespace {
 
 constexpr double kCaretBlinkSeconds = 0.4;
 
-ui::WindowSize to_ui(render::WindowSize size) {
-  return {static_cast<double>(size.width), static_cast<double>(size.height)};
-}
-
 /// Answers the controller from the scene, for the session's view and a viewport of this size.
 class ScenePicker final : public ViewportPicker {
  public:
@@ -62,7 +58,7 @@ Application::Application(const Preferences& preferences, Project project)
 }
 
 ui::Scale Application::scale() const {
-  const double density = render::pixels_per_unit(window_.size(), window_.framebuffer_size());
+  const double density = window_.density();
   return {window_.content_scale() / density, density};
 }
 
@@ -115,7 +111,7 @@ bool Application::take_news() {
 }
 
 ViewportPlace Application::place_of(const ui::WindowRect& viewport) const {
-  const double density = render::pixels_per_unit(window_.size(), window_.framebuffer_size());
+  const double density = window_.density();
   return {viewport,
           {std::max(static_cast<int>(std::lround(viewport.size.width * density)), 1),
            std::max(static_cast<int>(std::lround(viewport.size.height * density)), 1)}};
@@ -130,7 +126,7 @@ void Application::frame() {
   const double now = Window::now();
   model.frame_seconds = now - last_frame_;
   last_frame_ = now;
-  const ui::GuiFrame gui = gui_.frame(model, input, to_ui(window_.size()));
+  const ui::GuiFrame gui = gui_.frame(model, input, window_.size());
 
   place_ = place_of(gui.viewport);
   session_.set_aspect(place_.size.aspect());
@@ -202,8 +198,8 @@ void Application::take_screenshot(const std::filesystem::path& path) {
 
 void Application::write_status() const {
   const Result<void> written = write_status_file(
-      status_file_, {session_, gui_.items(), place_, to_ui(window_.size()),
-                     window_.framebuffer_size(), ViewportScene::camera(session_, place_.size)});
+      status_file_, {session_, gui_.items(), place_, window_.size(), window_.framebuffer_size(),
+                     ViewportScene::camera(session_, place_.size)});
   static_cast<void>(written);
 }
 
@@ -216,9 +212,8 @@ Preferences Application::preferences() const {
   all.face_budget = session_.refinement().face_budget();
   all.layout = gui_.layout();
   const double interface = scale().interface;
-  const render::WindowSize size = window_.size();
-  all.window = {static_cast<int>(std::lround(size.width / interface)),
-                static_cast<int>(std::lround(size.height / interface))};
+  const ui::WindowSize size = window_.size();
+  all.window = {std::round(size.width / interface), std::round(size.height / interface)};
   all.is_maximised = window_.is_maximised();
   all.recent_files = session_.recent_files();
   return all;

@@ -75,11 +75,9 @@ Preferences from_json(const Json& json) {
   panel.read("numbers_open", preferences.layout.numbers_open);
 
   const Reader window = root.child("window");
-  window.read("width", preferences.window.width);
-  window.read("height", preferences.window.height);
+  window.read("width", preferences.window.width, 640.0, 16384.0);
+  window.read("height", preferences.window.height, 400.0, 16384.0);
   window.read("maximised", preferences.is_maximised);
-  preferences.window.width = std::clamp(preferences.window.width, 640, 16384);
-  preferences.window.height = std::clamp(preferences.window.height, 400, 16384);
 
   root.read("recent_files", preferences.recent_files);
   preferences.recent_files.resize(std::min(preferences.recent_files.size(), kMostRecentFiles));

@@ -7,9 +7,9 @@
 
 #include "app/live_refinement.h"
 #include "limn/error.h"
-#include "render/coordinates.h"
 #include "ui/gui.h"
 #include "ui/model.h"
+#include "ui/window_geometry.h"
 
 namespace limn::app {
 
@@ -21,7 +21,7 @@ struct Preferences {
   double dihedral_threshold = 30.0;
   std::uint64_t face_budget = LiveRefinement::kDefaultBudget;
   ui::PanelLayout layout;
-  render::WindowSize window{1280, 800};  ///< Design units: before the monitor's scale.
+  ui::WindowSize window{1280.0, 800.0};  ///< Design units: before the monitor's scale.
   bool is_maximised = false;
   std::vector<std::string> recent_files;  ///< Absolute paths, newest first.
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <glad/gl.h>
@@ -172,9 +173,10 @@ Window::Window(const WindowSettings& settings) : title_(settings.title) {
   }
   set_context_hints();
   glfwWindowHint(GLFW_MAXIMIZED, settings.is_maximised ? GLFW_TRUE : GLFW_FALSE);
-  window_ = glfwCreateWindow(std::max(settings.size.width, kSmallestWidth),
-                             std::max(settings.size.height, kSmallestHeight), title_.c_str(),
-                             nullptr, nullptr);
+  window_ = glfwCreateWindow(
+      std::max(static_cast<int>(std::lround(settings.size.width)), kSmallestWidth),
+      std::max(static_cast<int>(std::lround(settings.size.height)), kSmallestHeight),
+      title_.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {
     const std::string reason = last_glfw_error();
     glfwTerminate();
@@ -204,10 +206,11 @@ Window::~Window() {
   glfwTerminate();
 }
 
-render::WindowSize Window::size() const {
-  render::WindowSize size;
-  glfwGetWindowSize(window_, &size.width, &size.height);
-  return size;
+ui::WindowSize Window::size() const {
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  return {static_cast<double>(width), static_cast<double>(height)};
 }
 
 render::FramebufferSize Window::framebuffer_size() const {
@@ -217,6 +220,12 @@ render::FramebufferSize Window::framebuffer_size() const {
   render::FramebufferSize size;
   glfwGetFramebufferSize(window_, &size.width, &size.height);
   return size;
+}
+
+double Window::density() const {
+  const double units = size().height;
+  const int pixels = framebuffer_size().height;
+  return units > 0.0 && pixels > 0 ? pixels / units : 1.0;
 }
 
 double Window::content_scale() const {

@@ -8,6 +8,7 @@
 #include "render/coordinates.h"
 #include "ui/gui.h"
 #include "ui/input.h"
+#include "ui/window_geometry.h"
 
 struct GLFWwindow;
 
@@ -15,7 +16,7 @@ namespace limn::app {
 
 struct WindowSettings {
   std::string title = "Limn";
-  render::WindowSize size{1280, 800};
+  ui::WindowSize size{1280.0, 800.0};
   bool is_maximised = false;
 };
 
@@ -33,9 +34,11 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   /// Size in the units of cursor positions.
-  [[nodiscard]] render::WindowSize size() const;
+  [[nodiscard]] ui::WindowSize size() const;
   /// Size in pixels; empty while minimised.
   [[nodiscard]] render::FramebufferSize framebuffer_size() const;
+  /// Pixels per window unit; 1 while minimised.
+  [[nodiscard]] double density() const;
   /// How big the window system wants things, relative to a plain monitor: 2 at 200 %.
   [[nodiscard]] double content_scale() const;
   [[nodiscard]] bool is_maximised() const;

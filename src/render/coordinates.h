@@ -1,17 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 
 namespace limn::render {
-
-/// A place in the window as the window system reports it (cursor positions): from the upper left
-/// corner, x to the right, y down, in window units, which on a HiDPI screen are not pixels.
-struct WindowPoint {
-  double x = 0.0;
-  double y = 0.0;
-  [[nodiscard]] bool operator==(const WindowPoint&) const = default;
-};
 
 /// A place in the image that is drawn: from the upper left corner, x to the right, y down, in
 /// pixels. Pixel (i, j) covers [i, i + 1) x [j, j + 1) and has its centre at (i + 0.5, j + 0.5).
@@ -19,13 +10,6 @@ struct FramebufferPoint {
   double x = 0.0;
   double y = 0.0;
   [[nodiscard]] bool operator==(const FramebufferPoint&) const = default;
-};
-
-/// Size in window units; 0 while the window is minimised.
-struct WindowSize {
-  int width = 0;
-  int height = 0;
-  [[nodiscard]] bool operator==(const WindowSize&) const = default;
 };
 
 /// Size in pixels; 0 while the window is minimised.
@@ -54,27 +38,5 @@ struct PixelRect {
   }
   [[nodiscard]] bool operator==(const PixelRect&) const = default;
 };
-
-/// Pixels per window unit. An empty window has 1.
-[[nodiscard]] inline double pixels_per_unit(WindowSize window, FramebufferSize framebuffer) {
-  return window.height > 0 && framebuffer.height > 0
-             ? static_cast<double>(framebuffer.height) / static_cast<double>(window.height)
-             : 1.0;
-}
-
-/// The pixel position under a window position. Both axes scale on their own, since a fractional
-/// scale is rounded separately in width and height.
-[[nodiscard]] inline FramebufferPoint to_framebuffer(WindowPoint point, WindowSize window,
-                                                     FramebufferSize framebuffer) {
-  return {point.x * framebuffer.width / std::max(window.width, 1),
-          point.y * framebuffer.height / std::max(window.height, 1)};
-}
-
-/// The window position over a pixel position: the inverse of `to_framebuffer`.
-[[nodiscard]] inline WindowPoint to_window(FramebufferPoint point, WindowSize window,
-                                           FramebufferSize framebuffer) {
-  return {point.x * window.width / std::max(framebuffer.width, 1),
-          point.y * window.height / std::max(framebuffer.height, 1)};
-}
 
 }  // namespace limn::render

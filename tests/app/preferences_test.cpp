@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+
+#include "support/scratch_folder.h"
 
 namespace limn::app {
 namespace {
@@ -14,14 +14,9 @@ namespace fs = std::filesystem;
 
 class PreferencesTest : public testing::Test {
  protected:
-  PreferencesTest() { fs::create_directories(folder_); }
-  ~PreferencesTest() override { fs::remove_all(folder_); }
-
   void write(std::string_view text) const { std::ofstream(path_) << text; }
 
-  fs::path folder_ =
-      fs::temp_directory_path() / ("limn-preferences-" + std::to_string(::getpid()) + "-" +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::ScratchFolder folder_;
   fs::path path_ = folder_ / "preferences.json";
 };
 
@@ -72,7 +67,7 @@ TEST_F(PreferencesTest, NumbersOutOfRangeAreBroughtIntoIt) {
   EXPECT_EQ(loaded->brush_radius, ui::kMaxBrushRadius);
   EXPECT_EQ(loaded->dihedral_threshold, 0.0);
   EXPECT_GE(loaded->layout.panel_width, 200.0);
-  EXPECT_EQ(loaded->window, (render::WindowSize{640, 16384}));
+  EXPECT_EQ(loaded->window, (ui::WindowSize{640.0, 16384.0}));
 }
 
 TEST_F(PreferencesTest, RecentFilesKeepTheNewestFirstOnce) {

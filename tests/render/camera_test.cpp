@@ -199,14 +199,5 @@ TEST(Camera, UnusableViewsStillGiveFiniteMatrices) {
   }
 }
 
-TEST(Coordinates, HiDpiWindowsAndFramebuffersConvertBothWays) {
-  const WindowSize window{640, 480};
-  const FramebufferSize pixels{1280, 960};
-  EXPECT_EQ(to_framebuffer({10.0, 20.0}, window, pixels), (FramebufferPoint{20.0, 40.0}));
-  EXPECT_EQ(to_window({20.0, 40.0}, window, pixels), (WindowPoint{10.0, 20.0}));
-  EXPECT_EQ(pixels_per_unit(window, pixels), 2.0);
-  EXPECT_EQ(pixels_per_unit({}, {}), 1.0);
-}
-
 }  // namespace
 }  // namespace limn::render
