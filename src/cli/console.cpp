@@ -20,12 +20,12 @@ void note_interrupt(int) {
 }
 
 spdlog::logger& console() {
-  static const std::shared_ptr<spdlog::logger> kLogger = [] {
+  static const std::shared_ptr<spdlog::logger> shared = [] {
     auto logger = spdlog::stderr_color_st("limn");
     logger->set_pattern("limn: %^%l%$: %v");
     return logger;
   }();
-  return *kLogger;
+  return *shared;
 }
 
 }  // namespace
