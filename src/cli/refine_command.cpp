@@ -63,7 +63,7 @@ Result<void> refine_and_write(const Options& options) {
     return tl::unexpected(derived.error());
   }
   if (!options.output.empty()) {
-    const Result<void> written = write_output(options, *project, *derived);
+    Result<void> written = write_output(options, *project, *derived);
     if (!written) {
       return written;
     }

@@ -32,10 +32,10 @@ class Pen {
       const float angle = degrees * std::numbers::pi_v<float> / 180.0F;
       return ellipse.centre + ellipse.radii * glm::vec2(std::cos(angle), std::sin(angle));
     };
-    const float chords = std::ceil(std::abs(to - from) / kDegreesAChord);
+    const auto chords = static_cast<int>(std::ceil(std::abs(to - from) / kDegreesAChord));
     move(point(from));
-    for (float i = 1; i <= chords; ++i) {
-      line(point(from + (to - from) * i / chords));
+    for (int i = 1; i <= chords; ++i) {
+      line(point(from + (to - from) * static_cast<float>(i) / static_cast<float>(chords)));
     }
   }
 

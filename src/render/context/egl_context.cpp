@@ -136,10 +136,9 @@ const EglSurfacelessContext::Library& EglSurfacelessContext::library() {
   return opened;
 }
 
-EglSurfacelessContext::EglSurfacelessContext() {
-  const Library& egl = library();
-  for (EGLDisplay display : candidate_displays(egl)) {
-    context_ = create_context(egl, display);
+EglSurfacelessContext::EglSurfacelessContext() : egl_(library()) {
+  for (EGLDisplay display : candidate_displays(egl_)) {
+    context_ = create_context(egl_, display);
     if (context_ != EGL_NO_CONTEXT) {
       display_ = display;
       return;
@@ -148,31 +147,29 @@ EglSurfacelessContext::EglSurfacelessContext() {
   throw EnvironmentError(
       fmt::format("EGL cannot create an OpenGL 4.5 core context without a window (last error "
                   "{:#x}). Install a graphics driver or Mesa (package libegl-mesa0).",
-                  egl.get_error()));
+                  egl_.get_error()));
 }
 
 EglSurfacelessContext::~EglSurfacelessContext() {
-  const Library& egl = library();
   if (is_current(this)) {
-    egl.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     forget_current(this);
   }
-  egl.destroy_context(display_, context_);
+  egl_.destroy_context(display_, context_);
   // The display stays initialised: it is shared by every context of the process.
 }
 
 void EglSurfacelessContext::make_current() {
-  const Library& egl = library();
-  switch_current(this, [&egl, display = display_] {
+  switch_current(this, [&egl = egl_, display = display_] {
     egl.make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   });
-  if (egl.bind_api(EGL_OPENGL_API) != EGL_TRUE ||
-      egl.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
+  if (egl_.bind_api(EGL_OPENGL_API) != EGL_TRUE ||
+      egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
     forget_current(this);
     throw EnvironmentError(
-        fmt::format("EGL cannot make its context current (error {:#x}).", egl.get_error()));
+        fmt::format("EGL cannot make its context current (error {:#x}).", egl_.get_error()));
   }
-  set_info(load_gl(egl.get_proc_address));
+  set_info(load_gl(egl_.get_proc_address));
 }
 
 }  // namespace limn::render

@@ -19,6 +19,7 @@ class EglSurfacelessContext final : public GlContext {
   struct Library;
   [[nodiscard]] static const Library& library();
 
+  const Library& egl_;
   void* display_ = nullptr;
   void* context_ = nullptr;
 };
