@@ -15,7 +15,7 @@
 #include "render/named_views.h"
 #include "support/gl_fixture.h"
 #include "support/image_compare.h"
-#include "support/sample_meshes.h"
+#include "support/shapes.h"
 
 namespace limn::render {
 namespace {
@@ -111,12 +111,12 @@ std::vector<std::uint8_t> depths_by_height(const ControlMesh& mesh, int deepest)
 }
 
 TEST_F(Goldens, CubeFlat) {
-  show(test::cube_mesh());
+  show(test::cube());
   EXPECT_TRUE(test::matches_golden(draw(), "cube_flat"));
 }
 
 TEST_F(Goldens, CubeUnlitIsThePaletteExactly) {
-  show(test::cube_mesh(), {1, 2, 3, 4, 5, 6});
+  show(test::cube(), {1, 2, 3, 4, 5, 6});
   settings.is_lit = false;
   view = named_view(NamedView::kFront, mesh->bounds(), kSize.aspect());
   const Image image = draw();
@@ -125,13 +125,13 @@ TEST_F(Goldens, CubeUnlitIsThePaletteExactly) {
 }
 
 TEST_F(Goldens, MixedFlatWireframe) {
-  show(test::mixed_mesh(), {0, 1, 2, 3, 4, 5, 6, 7});
+  show(test::mixed_prism(), {0, 1, 2, 3, 4, 5, 6, 7});
   settings.has_wireframe = true;
   EXPECT_TRUE(test::matches_golden(draw(), "mixed_flat_wireframe"));
 }
 
 TEST_F(Goldens, MixedSmooth) {
-  show(test::mixed_mesh());
+  show(test::mixed_prism());
   settings.shading = Shading::kSmooth;
   EXPECT_TRUE(test::matches_golden(draw(), "mixed_smooth"));
 }
@@ -139,7 +139,7 @@ TEST_F(Goldens, MixedSmooth) {
 TEST_F(Goldens, DepthColours) {
   std::vector<std::uint8_t> ramp(16, 10);
   std::iota(ramp.begin(), ramp.begin() + 10, std::uint8_t{0});
-  show(test::grid_mesh(4), ramp);
+  show(test::grid(4), ramp);
   settings.has_wireframe = true;
   MarkerBuffers numbers;
   numbers.upload(depth_markers(*mesh, depths), 1);
@@ -181,7 +181,7 @@ TEST_F(Goldens, CreatureRefinedWireframeLight) {
 }
 
 TEST_F(Goldens, CageOverRefinedCube) {
-  show(test::cube_mesh(), {0, 5, 0, 0, 0, 0});
+  show(test::cube(), {0, 5, 0, 0, 0, 0});
   show_refined();
   settings.has_wireframe = true;
   scene.cage = control.get();
@@ -203,7 +203,7 @@ TEST_F(Goldens, LabelsAndIllegalMarks) {
   painted[14] = 2;
   painted[21] = 3;
   painted[22] = 1;
-  show(test::grid_mesh(6), painted);
+  show(test::grid(6), painted);
   const VertexLabels labels = vertex_labels(*mesh, depths);
   markers->upload(label_markers(*mesh, labels, illegal_vertices(*mesh, labels), {}), 1);
   paint->set_illegal(illegal_faces(*mesh, labels));
@@ -218,7 +218,7 @@ TEST_F(Goldens, LabelsRelabelled) {
   painted[14] = 2;
   painted[21] = 3;
   painted[22] = 1;
-  show(test::grid_mesh(6), painted);
+  show(test::grid(6), painted);
   IgnoreProgress progress;
   const auto legal = legal_labels(*mesh, depths, {}, progress);
   ASSERT_TRUE(legal);
@@ -230,7 +230,7 @@ TEST_F(Goldens, LabelsRelabelled) {
 }
 
 TEST_F(Goldens, EveryDigitInADot) {
-  show(test::grid_mesh(3));
+  show(test::grid(3));
   std::vector<Marker> dots;
   for (int number = 0; number <= 11; ++number) {
     const auto n = static_cast<float>(number);
@@ -259,7 +259,7 @@ TEST_F(Goldens, BrushHighlightAndRing) {
 }
 
 TEST_F(Goldens, SegmentsOverAnEmptyScene) {
-  show(test::cube_mesh());
+  show(test::cube());
   scene.surface = nullptr;
   const std::vector<OverlaySegment> frame{{{40, 40}, {280, 40}, kAccentColour, 1.0F, 1.5F},
                                           {{280, 40}, {280, 200}, kAccentColour, 0.5F, 1.5F},
@@ -269,7 +269,7 @@ TEST_F(Goldens, SegmentsOverAnEmptyScene) {
 }
 
 TEST_F(Goldens, InsideOfAnOpenMeshIsDarker) {
-  show(test::grid_mesh(2), {0, 1, 2, 3});
+  show(test::grid(2), {0, 1, 2, 3});
   view = named_view(NamedView::kBack, mesh->bounds(), kSize.aspect());
   EXPECT_TRUE(test::matches_golden(draw(), "grid_inside"));
 }
@@ -282,7 +282,7 @@ TEST_F(Goldens, SameFrameTwiceIsTheSame) {
 }
 
 TEST_F(Goldens, TooLargeAPictureIsRefusedInWords) {
-  show(test::cube_mesh());
+  show(test::cube());
   const Camera camera = make_camera(*view, mesh->bounds(), {largest_target_side() + 1, 16});
   const Result<Image> picture = draw_picture(*renderer, camera, scene, settings);
   ASSERT_FALSE(picture);

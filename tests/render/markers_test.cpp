@@ -5,13 +5,13 @@
 #include <glm/vec2.hpp>
 
 #include "render/digit_strokes.h"
-#include "support/sample_meshes.h"
+#include "support/shapes.h"
 
 namespace limn::render {
 namespace {
 
 TEST(Markers, LabelsStandAtTheirVertices) {
-  const auto mesh = test::cube_mesh();
+  const auto mesh = test::cube();
   const VertexLabels labels{0, 1, 2, 3, 4, 5, 6, 7};
   const std::vector<std::uint32_t> illegal{0, 5};
   const std::vector<LegalisationStep> steps{{2, 1, 0}};
@@ -28,7 +28,7 @@ TEST(Markers, LabelsStandAtTheirVertices) {
 }
 
 TEST(Markers, DepthsStandAtTheCentroidsOfPaintedFaces) {
-  const auto mesh = test::cube_mesh();
+  const auto mesh = test::cube();
   const std::vector<std::uint8_t> depths{0, 3, 0, 0, 0, 10};
   const std::vector<Marker> markers = depth_markers(*mesh, depths);
   ASSERT_EQ(markers.size(), 2U);

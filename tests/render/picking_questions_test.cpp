@@ -16,7 +16,7 @@
 #include "render/named_views.h"
 #include "render/navigation.h"
 #include "render/picking_fixture.h"
-#include "support/sample_meshes.h"
+#include "support/shapes.h"
 
 namespace limn::test {
 namespace {
@@ -112,7 +112,7 @@ TEST_P(Picking, PickFindsTheFaceAndThePlaceThatTheRayMeets) {
 }
 
 TEST_P(Picking, NothingIsPickedBesideTheSurfaceAndOutsideTheImage) {
-  const auto mesh = cube_mesh();
+  const auto mesh = cube();
   SurfaceBuffers buffers;
   upload(buffers, make_surface(*mesh));
   FacePicker picker;
@@ -176,7 +176,7 @@ TEST_P(Picking, BrushMeetsExactlyTheFacesOfItsPixels) {
 
 TEST_P(Picking, AFastStrokeLeavesNoGaps) {
   const std::uint32_t n = 20;
-  const auto mesh = grid_mesh(n);
+  const auto mesh = grid(n);
   SurfaceBuffers buffers;
   upload(buffers, make_surface(*mesh));
   FacePicker picker;
@@ -298,8 +298,8 @@ TEST_P(Picking, TheOrderOfDrawingDoesNotMatter) {
 }
 
 TEST_P(Picking, TheImageIsDrawnAgainOnlyWhenWhatItShowsChanges) {
-  const auto mesh = cube_mesh();
-  const auto grid = grid_mesh(3);
+  const auto mesh = cube();
+  const auto sheet = grid(3);
   SurfaceBuffers buffers;
   SurfaceBuffers other;
   upload(buffers, make_surface(*mesh));
@@ -316,10 +316,10 @@ TEST_P(Picking, TheImageIsDrawnAgainOnlyWhenWhatItShowsChanges) {
   EXPECT_EQ(picker.draw_count(), 1U);
   EXPECT_EQ(picker.pick({buffers, top}, {20.0, 15.0})->control_face, 3U);
   EXPECT_EQ(picker.draw_count(), 2U);
-  upload(buffers, make_surface(*grid));
+  upload(buffers, make_surface(*sheet));
   EXPECT_EQ(picker.pick({buffers, front}, {21.0, 14.0})->control_face, 0U);
   EXPECT_EQ(picker.draw_count(), 3U);
-  const Camera larger = camera_at(NamedView::kFront, grid->bounds(), {41, 30});
+  const Camera larger = camera_at(NamedView::kFront, sheet->bounds(), {41, 30});
   EXPECT_EQ(picker.visible_faces({buffers, larger}).size(), 9U);
   EXPECT_EQ(picker.draw_count(), 4U);
   upload(other, make_surface(*mesh));
@@ -328,7 +328,7 @@ TEST_P(Picking, TheImageIsDrawnAgainOnlyWhenWhatItShowsChanges) {
 }
 
 TEST_P(Picking, BuffersMadeWhereOthersStoodAreNotTakenForThem) {
-  const auto mesh = cube_mesh();
+  const auto mesh = cube();
   const Camera camera = camera_at(NamedView::kFront, mesh->bounds(), {40, 30});
   FacePicker picker;
   std::optional<SurfaceBuffers> buffers;
@@ -336,12 +336,12 @@ TEST_P(Picking, BuffersMadeWhereOthersStoodAreNotTakenForThem) {
   ASSERT_TRUE(buffers->upload(make_surface(*mesh), 1));
   EXPECT_THAT(picker.visible_faces({*buffers, camera}), ElementsAre(5U));
   buffers.emplace();
-  ASSERT_TRUE(buffers->upload(make_surface(*grid_mesh(1)), 1));
+  ASSERT_TRUE(buffers->upload(make_surface(*grid(1)), 1));
   EXPECT_THAT(picker.visible_faces({*buffers, camera}), ElementsAre(0U));
 }
 
 TEST_P(Picking, NothingShowsOfEmptySurfacesInEmptyImagesAndBehindTheEye) {
-  const auto mesh = cube_mesh();
+  const auto mesh = cube();
   const Camera camera = camera_at(NamedView::kFront, mesh->bounds(), {40, 30});
   const Camera nowhere = camera_at(NamedView::kFront, mesh->bounds(), {0, 0});
   const Camera flat = camera_at(NamedView::kFront, mesh->bounds(), {40, 0});
@@ -367,7 +367,7 @@ TEST_P(Picking, NothingShowsOfEmptySurfacesInEmptyImagesAndBehindTheEye) {
 }
 
 TEST_P(Picking, AnEyeInsideACubeSeesItsWallsFromWithin) {
-  const auto mesh = cube_mesh();
+  const auto mesh = cube();
   SurfaceBuffers buffers;
   upload(buffers, make_surface(*mesh));
   FacePicker picker;

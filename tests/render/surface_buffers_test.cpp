@@ -7,7 +7,7 @@
 #include "render/surface/face_paint.h"
 #include "render/surface/surface_buffers.h"
 #include "support/gl_fixture.h"
-#include "support/sample_meshes.h"
+#include "support/shapes.h"
 
 namespace limn::render {
 namespace {
@@ -55,7 +55,7 @@ std::vector<Pulled> pull(const SurfaceBuffers& surface, const FacePaint& paint) 
 }
 
 TEST_F(SurfaceOnGpu, ShaderPullsEveryFanTriangle) {
-  const Surface surface = make_surface(*test::mixed_mesh());
+  const Surface surface = make_surface(*test::mixed_prism());
   SurfaceBuffers buffers;
   ASSERT_TRUE(buffers.upload(surface, 1));
   const std::vector<std::uint8_t> depths{0, 1, 2, 3, 4, 5, 6, 7};
@@ -81,7 +81,7 @@ TEST_F(SurfaceOnGpu, ShaderPullsEveryFanTriangle) {
 
 TEST_F(SurfaceOnGpu, PartOfTheDepthsIsReplaced) {
   SurfaceBuffers buffers;
-  ASSERT_TRUE(buffers.upload(make_surface(*test::grid_mesh(4)), 1));
+  ASSERT_TRUE(buffers.upload(make_surface(*test::grid(4)), 1));
   FaceDepths depths(16);
   FacePaint paint;
   paint.reset(depths.values());
@@ -98,7 +98,7 @@ TEST_F(SurfaceOnGpu, PartOfTheDepthsIsReplaced) {
 
 TEST_F(SurfaceOnGpu, SetsOfFacesAreReplacedAsAWhole) {
   SurfaceBuffers buffers;
-  ASSERT_TRUE(buffers.upload(make_surface(*test::grid_mesh(10)), 1));
+  ASSERT_TRUE(buffers.upload(make_surface(*test::grid(10)), 1));
   FacePaint paint;
   paint.reset(std::vector<std::uint8_t>(100, 0));
   paint.set_highlighted(std::vector<std::uint32_t>{0, 31, 32, 99});
@@ -114,10 +114,10 @@ TEST_F(SurfaceOnGpu, SetsOfFacesAreReplacedAsAWhole) {
 TEST_F(SurfaceOnGpu, UploadReplacesContentsAndRevision) {
   SurfaceBuffers buffers;
   EXPECT_FALSE(buffers.has(1));
-  ASSERT_TRUE(buffers.upload(make_surface(*test::cube_mesh()), 1));
+  ASSERT_TRUE(buffers.upload(make_surface(*test::cube()), 1));
   EXPECT_TRUE(buffers.has(1));
   EXPECT_EQ(buffers.face_count(), 6U);
-  ASSERT_TRUE(buffers.upload(make_surface(*test::grid_mesh(2)), 2));
+  ASSERT_TRUE(buffers.upload(make_surface(*test::grid(2)), 2));
   EXPECT_TRUE(buffers.has(2));
   EXPECT_EQ(buffers.face_count(), 4U);
   FacePaint paint;

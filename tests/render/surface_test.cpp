@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/surface/surface.h"
-#include "support/sample_meshes.h"
+#include "support/shapes.h"
 
 namespace limn::render {
 namespace {
@@ -17,7 +17,7 @@ std::vector<std::uint32_t> corners_of(const Surface& surface, const SurfaceGroup
 }
 
 TEST(Surface, GroupsFacesBySides) {
-  const Surface surface = make_surface(*test::mixed_mesh());
+  const Surface surface = make_surface(*test::mixed_prism());
   EXPECT_THAT(surface.groups, ElementsAre(SurfaceGroup{3, 0, 2, 0}, SurfaceGroup{4, 2, 4, 6},
                                           SurfaceGroup{5, 6, 2, 22}));
   EXPECT_EQ(surface.corners.size(), 32U);
@@ -25,7 +25,7 @@ TEST(Surface, GroupsFacesBySides) {
 }
 
 TEST(Surface, KeepsTheMeshOrderWithinAGroup) {
-  const auto mesh = test::mixed_mesh();
+  const auto mesh = test::mixed_prism();
   const Surface surface = make_surface(*mesh);
   EXPECT_THAT(surface.face_control_faces, ElementsAre(2, 3, 0, 4, 6, 7, 1, 5));
   for (const SurfaceGroup& group : surface.groups) {
@@ -46,7 +46,7 @@ TEST(Surface, PositionsAreRelativeToTheCentre) {
 }
 
 TEST(Surface, NormalsPointOutwardsAndHaveUnitLength) {
-  const Surface surface = make_surface(*test::cube_mesh());
+  const Surface surface = make_surface(*test::cube());
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     const glm::vec3 diagonal = glm::normalize(surface.positions[v]);
     EXPECT_NEAR(glm::distance(surface.normals[v], diagonal), 0.0F, 1e-6F) << "vertex " << v;
@@ -64,8 +64,8 @@ TEST(Surface, NormalsAreWeightedByArea) {
 }
 
 TEST(Surface, ListsEveryControlEdgeOnce) {
-  EXPECT_EQ(make_surface(*test::cube_mesh()).edges.size(), 12U);
-  EXPECT_EQ(make_surface(*test::grid_mesh(3)).edges.size(), 24U);
+  EXPECT_EQ(make_surface(*test::cube()).edges.size(), 12U);
+  EXPECT_EQ(make_surface(*test::grid(3)).edges.size(), 24U);
 }
 
 RefinedMesh small_refined() {

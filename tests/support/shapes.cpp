@@ -155,17 +155,22 @@ MeshPointer control_mesh(const PolygonSoup& soup) {
   return built->mesh;
 }
 
+MeshPointer control_mesh(const std::vector<glm::dvec3>& positions,
+                         const std::vector<std::vector<std::uint32_t>>& faces) {
+  return control_mesh(soup_of(positions, faces));
+}
+
 PolygonSoup cube_soup() {
-  PolygonSoup soup;
-  for (int i = 0; i < 8; ++i) {
-    soup.positions.emplace_back((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1,
-                                (i & 4) != 0 ? 1 : -1);
-  }
-  for (const Polygon& face : {Polygon{4, 5, 7, 6}, Polygon{0, 2, 3, 1}, Polygon{0, 1, 5, 4},
-                              Polygon{2, 6, 7, 3}, Polygon{0, 4, 6, 2}, Polygon{1, 3, 7, 5}}) {
-    soup.add_face(face);
-  }
-  return soup;
+  return soup_of(
+      {{-1, -1, -1},
+       {1, -1, -1},
+       {1, 1, -1},
+       {-1, 1, -1},
+       {-1, -1, 1},
+       {1, -1, 1},
+       {1, 1, 1},
+       {-1, 1, 1}},
+      {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}});
 }
 
 PolygonSoup grid_soup(std::uint32_t columns, std::uint32_t rows) {
@@ -338,6 +343,28 @@ PolygonSoup jittered(PolygonSoup soup, double amount, Random& random) {
 
 MeshPointer cube() {
   return control_mesh(cube_soup());
+}
+
+MeshPointer grid(std::uint32_t n) {
+  return control_mesh(grid_soup(n, n));
+}
+
+MeshPointer mixed_prism() {
+  std::vector<glm::dvec3> positions;
+  for (const double y : {-1.0, 1.0}) {
+    for (int i = 0; i < 5; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / 5.0;
+      positions.emplace_back(std::cos(angle), y, -std::sin(angle));
+    }
+  }
+  return control_mesh(positions, {{0, 1, 6, 5},
+                                  {5, 6, 7, 8, 9},
+                                  {1, 2, 7},
+                                  {1, 7, 6},
+                                  {2, 3, 8, 7},
+                                  {4, 3, 2, 1, 0},
+                                  {3, 4, 9, 8},
+                                  {4, 0, 5, 9}});
 }
 
 std::vector<std::uint8_t> random_depths(const ControlMesh& mesh, double probability, int deepest,

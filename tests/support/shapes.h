@@ -5,6 +5,8 @@
 #include <random>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/polygon_soup.h"
 
@@ -16,9 +18,13 @@ using Random = std::mt19937;
 
 /// The control mesh of a soup that is known to be one; fails the program otherwise.
 [[nodiscard]] MeshPointer control_mesh(const PolygonSoup& soup);
+[[nodiscard]] MeshPointer control_mesh(const std::vector<glm::dvec3>& positions,
+                                       const std::vector<std::vector<std::uint32_t>>& faces);
 
+/// The cube with corners at +-1. Faces: 0 -x, 1 +x, 2 -y, 3 +y, 4 -z, 5 +z.
 [[nodiscard]] PolygonSoup cube_soup();
-/// Open: columns x rows quads in the xy-plane.
+/// Open: columns x rows quads over unit squares of the xy-plane, gently waved in z;
+/// counter-clockwise seen from +z, row by row from the origin.
 [[nodiscard]] PolygonSoup grid_soup(std::uint32_t columns, std::uint32_t rows);
 /// Closed, all vertices of valence 4.
 [[nodiscard]] PolygonSoup torus_soup(std::uint32_t around, std::uint32_t across);
@@ -40,6 +46,10 @@ using Random = std::mt19937;
 [[nodiscard]] PolygonSoup jittered(PolygonSoup soup, double amount, Random& random);
 
 [[nodiscard]] MeshPointer cube();
+/// The grid of n rows of n quads.
+[[nodiscard]] MeshPointer grid(std::uint32_t n);
+/// A pentagonal prism with the sides cut once: pentagons, quads and triangles in mixed order.
+[[nodiscard]] MeshPointer mixed_prism();
 
 /// Depths that paint each face with the given probability to a depth of 1 to `deepest`.
 [[nodiscard]] std::vector<std::uint8_t> random_depths(const ControlMesh& mesh, double probability,
