@@ -9,6 +9,7 @@
 
 namespace limn {
 
+/// What a project holds: the document, and the camera where one was saved with it.
 struct Project {
   Document document;
   std::optional<ViewState> view;
@@ -24,8 +25,10 @@ struct Project {
 /// Errors: kBadInput naming the JSON path of the culprit, and a version newer than this program.
 [[nodiscard]] Result<Project> load_project(const std::filesystem::path& path);
 
-/// A camera file is the `view` object of a project alone.
+/// Reads a camera file: the `view` object of a project alone.
+/// Errors: kBadInput naming the JSON path of the culprit.
 [[nodiscard]] Result<ViewState> load_view(const std::filesystem::path& path);
+/// Writes a camera file atomically. Errors: kFailed, also for a view that could not be read again.
 [[nodiscard]] Result<void> save_view(const std::filesystem::path& path, const ViewState& view);
 
 }  // namespace limn

@@ -44,6 +44,7 @@ struct Refinement {
   double check_seconds = 0.0;
 };
 
+/// How far a refinement goes: the rules, the steps and the most faces it may make.
 struct RefinementOptions {
   SubdivisionSettings settings;
   int levels = kAllLevels;  ///< 1..kAllLevels.

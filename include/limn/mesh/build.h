@@ -26,6 +26,7 @@ struct ImportReport {
   [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
+/// A control mesh, and what was mended to make it one.
 struct ImportedMesh {
   std::shared_ptr<const ControlMesh> mesh;
   ImportReport report;

@@ -21,10 +21,11 @@ void write_obj(std::ostream& out, const RefinedMesh& mesh, std::span<const std::
 /// The same for a control mesh. Read back, the text gives the same mesh to the last bit.
 void write_obj(std::ostream& out, const ControlMesh& mesh, std::span<const std::uint8_t> depths);
 
-/// Writes to a file atomically: the file holds the old contents or all of the new ones, never a
-/// part.
+/// Writes the same text to a file atomically: it holds the old contents or all of the new ones,
+/// never a part. Errors: kFailed, naming the path.
 [[nodiscard]] Result<void> export_obj(const std::filesystem::path& path, const RefinedMesh& mesh,
                                       std::span<const std::uint8_t> depths);
+/// The same for a control mesh.
 [[nodiscard]] Result<void> export_obj(const std::filesystem::path& path, const ControlMesh& mesh,
                                       std::span<const std::uint8_t> depths);
 

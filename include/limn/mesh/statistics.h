@@ -20,6 +20,7 @@ struct MeshStatistics {
   std::size_t highest_valence = 0;
 };
 
+/// Counts everything in time linear in the size of the mesh.
 [[nodiscard]] MeshStatistics mesh_statistics(const ControlMesh& mesh);
 
 }  // namespace limn

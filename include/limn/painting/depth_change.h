@@ -37,7 +37,9 @@ struct DepthEdit {
                                                 std::span<const std::uint32_t> faces,
                                                 DepthChange change);
 
+/// Sets each face to what it is after the edits.
 void apply_edits(FaceDepths& depths, std::span<const DepthEdit> edits);
+/// Sets each face to what it was before the edits.
 void revert_edits(FaceDepths& depths, std::span<const DepthEdit> edits);
 
 }  // namespace limn

@@ -39,6 +39,7 @@ struct SelectFaces {
   [[nodiscard]] bool operator==(const SelectFaces&) const = default;
 };
 
+/// Which faces a paint rule changes.
 using Selection = std::variant<SelectAll, SelectVisible, SelectDihedral, SelectFaces>;
 
 /// Answers `SelectVisible`: the control faces that show, ascending. Supplied by whoever can draw.

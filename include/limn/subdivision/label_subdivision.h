@@ -23,6 +23,7 @@ namespace limn {
                                                 const SubdivisionSettings& settings,
                                                 Progress& progress);
 
+/// Where a refinement stops, and where it is refused.
 struct RefineLimits {
   int levels = kAllLevels;  ///< Stop after so many steps: 1 is "one level only".
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
