@@ -79,13 +79,14 @@ class BoundaryPaths {
   /// or more than one.
   BoundaryEdge* edge_from(std::uint32_t v, std::uint32_t control_face) {
     BoundaryEdge* found = nullptr;
-    const auto range = std::ranges::equal_range(*edges_, v, {}, &BoundaryEdge::from);
-    for (BoundaryEdge& edge : range) {
-      if (refined_->face_control_faces[edge.face] == control_face && !edge.is_on_control_boundary) {
+    auto edge = std::ranges::lower_bound(*edges_, v, {}, &BoundaryEdge::from);
+    for (; edge != edges_->end() && edge->from == v; ++edge) {
+      if (refined_->face_control_faces[edge->face] == control_face &&
+          !edge->is_on_control_boundary) {
         if (found != nullptr) {
           return nullptr;
         }
-        found = &edge;
+        found = &*edge;
       }
     }
     return found;
@@ -141,8 +142,8 @@ CrackCheck check_cracks(const ControlMesh& control, const RefinedMesh& refined) 
     }
   }
   std::ranges::sort(check.crack_faces);
-  const auto repeated = std::ranges::unique(check.crack_faces);
-  check.crack_faces.erase(repeated.begin(), repeated.end());
+  std::vector<std::uint32_t>& faces = check.crack_faces;
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return check;
 }
 

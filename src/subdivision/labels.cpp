@@ -111,8 +111,7 @@ std::vector<std::uint32_t> illegal_vertices(const ControlMesh& mesh, const Verte
     }
   }
   std::ranges::sort(vertices);
-  const auto repeated = std::ranges::unique(vertices);
-  vertices.erase(repeated.begin(), repeated.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
 
