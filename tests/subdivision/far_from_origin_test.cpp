@@ -102,7 +102,18 @@ TEST(FarFromTheOrigin, WrittenMeshesComeBackExact) {
 }
 
 TEST(NearTheOrigin, WrittenNumbersAreThoseOfTheFloats) {
-  const std::string text = obj_text(refined(*test::cube(), 2));
+  // The order of vertices and faces decides the text, so the cube stands here.
+  const auto cube = test::control_mesh(
+      {{-1, -1, -1},
+       {1, -1, -1},
+       {-1, 1, -1},
+       {1, 1, -1},
+       {-1, -1, 1},
+       {1, -1, 1},
+       {-1, 1, 1},
+       {1, 1, 1}},
+      {{4, 5, 7, 6}, {0, 2, 3, 1}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+  const std::string text = obj_text(refined(*cube, 2));
   EXPECT_TRUE(
       text.starts_with("v -0.5555556 -0.5555556 -0.5555556\n"
                        "v 0.5555556 -0.5555556 -0.5555556\n"
