@@ -73,10 +73,10 @@ void main() {
   if (is_highlighted) {
     shown = mix(shown, vec3(1.0), 0.24);
   }
+  float narrow = sides == 4 ? min(pixels.x + pixels.z, pixels.y + pixels.w)
+                            : pixels.x + pixels.y + pixels.z;
   if (has_option(kWireframe)) {
     // Faces a few pixels wide would drown in their own edges: theirs grow fainter.
-    float narrow = sides == 4 ? min(pixels.x + pixels.z, pixels.y + pixels.w)
-                                  : pixels.x + pixels.y + pixels.z;
     float strength = sides > 4 ? 1.0 : mix(0.3, 1.0, smoothstep(1.5 * unit, 6.0 * unit, narrow));
     // Black is not seen on the darkest depths, where the edges matter most: there they are light.
     float brightness = dot(shown, vec3(0.299, 0.587, 0.114));
@@ -84,7 +84,10 @@ void main() {
     shown = mix(shown, ink.rgb, ink.a * strength * line(nearest, unit));
   }
   if (is_highlighted) {
-    shown = mix(shown, accent.rgb, 0.9 * line(nearest, 2.5 * unit));
+    // Likewise: where the faces are small, a tint says what the edges say elsewhere.
+    float edges = sides > 4 ? 1.0 : smoothstep(5.0 * unit, 18.0 * unit, narrow);
+    shown = mix(shown, accent.rgb, 0.22 * (1.0 - edges));
+    shown = mix(shown, accent.rgb, 0.9 * edges * line(nearest, 2.5 * unit));
   }
   colour = vec4(shown, 1.0);
 }
