@@ -18,7 +18,7 @@
 namespace limn::cli {
 namespace {
 
-struct Options {
+struct RefineOptions {
   PaintingOptions painting;
   ViewOptions view;
   std::string output;
@@ -41,7 +41,8 @@ Result<void> write_mesh(const std::string& output, const Mesh& mesh, const FaceD
   return {};
 }
 
-Result<void> write_output(const Options& options, const Project& project, const Derived& derived) {
+Result<void> write_output(const RefineOptions& options, const Project& project,
+                          const Derived& derived) {
   const Document& document = project.document;
   if (options.output.ends_with(kProjectEnding)) {
     return resolve_view(options.view, project).and_then([&](const ViewState& view) {
@@ -52,7 +53,7 @@ Result<void> write_output(const Options& options, const Project& project, const 
                             : write_mesh(options.output, *document.control, document.depths);
 }
 
-Result<void> refine_and_write(const Options& options) {
+Result<void> refine_and_write(const RefineOptions& options) {
   const Result<Project> project = open_painted(options.painting, visible_faces_from(options.view));
   if (!project) {
     return tl::unexpected(project.error());
@@ -81,7 +82,7 @@ Result<void> refine_and_write(const Options& options) {
 void add_refine_command(CLI::App& program, Work& work) {
   CLI::App* command = program.add_subcommand(
       "refine", "Paint a mesh by rules and subdivide it adaptively, without a window");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RefineOptions>();
   add_painting_options(*command, options->painting);
   add_view_options(*command, options->view);
   command

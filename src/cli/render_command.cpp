@@ -18,7 +18,7 @@
 namespace limn::cli {
 namespace {
 
-struct Options {
+struct RenderOptions {
   PaintingOptions painting;
   ViewOptions view;
   PictureSettings picture;
@@ -26,7 +26,7 @@ struct Options {
   bool json = false;
 };
 
-Result<void> render_and_write(const Options& options) {
+Result<void> render_and_write(const RenderOptions& options) {
   const Result<Project> project = open_painted(options.painting, visible_faces_from(options.view));
   if (!project) {
     return tl::unexpected(project.error());
@@ -64,7 +64,7 @@ Result<void> render_and_write(const Options& options) {
 void add_render_command(CLI::App& program, Work& work) {
   CLI::App* command =
       program.add_subcommand("render", "Draw a painted mesh or its refinement into a PNG picture");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   PictureSettings& picture = options->picture;
   add_painting_options(*command, options->painting);
   add_view_options(*command, options->view);

@@ -25,7 +25,7 @@ using test::write_file;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-Document open(std::string_view name) {
+Document opened(std::string_view name) {
   return make_document(load_bundled_mesh(name).value(), std::string(name));
 }
 
@@ -76,7 +76,7 @@ class ProjectFile : public ::testing::Test {
 
   /// A painted cube as text.
   std::string cube_text() {
-    Document document = open("cube");
+    Document document = opened("cube");
     document.depths.set(3, 5);
     EXPECT_TRUE(save_project(path_, document, ViewState{}));
     return read_file(path_);
@@ -97,7 +97,7 @@ class ProjectFile : public ::testing::Test {
 
 TEST_F(ProjectFile, ComesBackAsItWas) {
   for (const std::string_view name : {"cube", "icosahedron", "mixed", "grid", "torus_open"}) {
-    Document document = open(name);
+    Document document = opened(name);
     document.name = "B\xC3\xA4r \"quoted\" \\ \n";
     document.mesh_path = "/some where/\xC3\xA4.obj";
     for (std::size_t f = 0; f < document.depths.size(); ++f) {
@@ -122,7 +122,7 @@ TEST_F(ProjectFile, ComesBackAsItWas) {
 }
 
 TEST_F(ProjectFile, WithoutAViewAndWithAllLevels) {
-  Document document = open("cube");
+  Document document = opened("cube");
   document.stage = {false, kAllLevels};
   ASSERT_TRUE(save_project(path_, document, std::nullopt));
   const Project loaded = load_project(path_).value();
@@ -156,7 +156,7 @@ TEST_F(ProjectFile, AwkwardNumbersComeBackBitForBit) {
 }
 
 TEST_F(ProjectFile, KeepsTheOpenedMeshForRevert) {
-  Document document = open("cube");
+  Document document = opened("cube");
   replace_control_command(load_bundled_mesh("grid").value().mesh, "apply")->apply(document);
   document.depths.set(17, 2);
   ASSERT_TRUE(save_project(path_, document, std::nullopt));
@@ -168,7 +168,7 @@ TEST_F(ProjectFile, KeepsTheOpenedMeshForRevert) {
 }
 
 TEST_F(ProjectFile, NamesThatAreNotUtf8DoNotBreakTheFile) {
-  Document document = open("cube");
+  Document document = opened("cube");
   document.name = "caf\xE9";
   document.mesh_path = "/tmp/caf\xE9.obj";
   ASSERT_TRUE(save_project(path_, document, std::nullopt));
@@ -353,16 +353,16 @@ TEST_F(ProjectFile, AFailedSaveLeavesTheOldFile) {
   const std::string before = cube_text();
   ViewState nowhere;
   nowhere.distance = std::nan("");
-  const Result<void> saved = save_project(path_, open("grid"), nowhere);
+  const Result<void> saved = save_project(path_, opened("grid"), nowhere);
   ASSERT_FALSE(saved);
   EXPECT_EQ(saved.error().kind, ErrorKind::kFailed);
   EXPECT_EQ(read_file(path_), before);
-  EXPECT_FALSE(save_project(folder_ / "no/such/folder.limn", open("cube"), std::nullopt));
+  EXPECT_FALSE(save_project(folder_ / "no/such/folder.limn", opened("cube"), std::nullopt));
 }
 
 /// However a project is damaged, loading it gives an error or a document that holds together.
 TEST_F(ProjectFile, DamagedProjectsAreRefusedOrWhole) {
-  Document document = open("mixed");
+  Document document = opened("mixed");
   document.depths.set(7, 3);
   ASSERT_TRUE(save_project(path_, document, ViewState{}));
   const std::string mixed = read_file(path_);

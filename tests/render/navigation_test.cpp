@@ -14,7 +14,7 @@
 namespace limn::render {
 namespace {
 
-constexpr FramebufferSize kSize{800, 450};
+constexpr FramebufferSize kImageSize{800, 450};
 const Bounds kScene{{-1.0, -2.0, -0.5}, {3.0, 2.0, 1.5}};
 
 std::vector<ViewState> views() {
@@ -35,7 +35,7 @@ std::vector<ViewState> views() {
 }
 
 FramebufferPoint shown_at(const ViewState& view, const glm::dvec3& world) {
-  const auto shown = project(make_camera(view, kScene, kSize), world);
+  const auto shown = project(make_camera(view, kScene, kImageSize), world);
   EXPECT_TRUE(shown);
   return shown ? shown->point : FramebufferPoint{};
 }
@@ -76,10 +76,10 @@ TEST(Pan, WhatWasGrabbedFollowsTheMouse) {
       const FramebufferPoint from{123.25, 77.5};
       const FramebufferPoint to{555.0, 301.75};
       const glm::dvec3 grabbed =
-          world_at(make_camera(view, Bounds{view.target, view.target}, kSize), from, depth);
-      const ViewState moved = pan(view, kSize, {from, to, depth});
+          world_at(make_camera(view, Bounds{view.target, view.target}, kImageSize), from, depth);
+      const ViewState moved = pan(view, kImageSize, {from, to, depth});
       const Bounds around{grabbed, grabbed};
-      const auto shown = project(make_camera(moved, around, kSize), grabbed);
+      const auto shown = project(make_camera(moved, around, kImageSize), grabbed);
       ASSERT_TRUE(shown);
       expect_same_place(shown->point, to);
     }
@@ -88,12 +88,12 @@ TEST(Pan, WhatWasGrabbedFollowsTheMouse) {
 
 TEST(Dolly, AnchorStaysWhereItShows) {
   for (const ViewState& view : views()) {
-    const Camera camera = make_camera(view, kScene, kSize);
+    const Camera camera = make_camera(view, kScene, kImageSize);
     const glm::dvec3 anchor = world_at(camera, {700.0, 60.0}, 0.8 * view.distance);
     for (const double factor : {0.5, 0.9, 1.0, 1.3, 3.0}) {
       const ViewState moved = dolly(view, factor, anchor, kScene);
       EXPECT_NEAR(moved.distance, view.distance * factor, 1e-12 * view.distance);
-      const auto shown = project(make_camera(moved, Bounds{anchor, anchor}, kSize), anchor);
+      const auto shown = project(make_camera(moved, Bounds{anchor, anchor}, kImageSize), anchor);
       ASSERT_TRUE(shown);
       expect_same_place(shown->point, {700.0, 60.0});
     }
@@ -164,7 +164,7 @@ TEST(Frame, ALineOfSightDoesNotPullTheEyeIntoTheFirstPoint) {
 
 TEST(NamedViews, StandWhereTheirNameSays) {
   const auto back_of = [](NamedView named) {
-    return make_camera(named_view(named, kScene, 1.0), kScene, kSize).back;
+    return make_camera(named_view(named, kScene, 1.0), kScene, kImageSize).back;
   };
   const auto expect_direction = [&](NamedView named, const glm::dvec3& expected) {
     EXPECT_LT(glm::length(back_of(named) - expected), 1e-12) << view_name(named);

@@ -13,7 +13,7 @@ namespace {
 
 using test::MeshPointer;
 
-RefinedMesh refined(const ControlMesh& mesh, const std::vector<std::uint8_t>& depths) {
+RefinedMesh refined_by_depths(const ControlMesh& mesh, const std::vector<std::uint8_t>& depths) {
   IgnoreProgress progress;
   const auto legal = legal_labels(mesh, depths, {}, progress);
   return refine(mesh, legal.value().labels, {}, {}, progress).value();
@@ -31,7 +31,7 @@ TEST(CrackCheck, PassesWholeMeshes) {
                                   test::control_mesh(test::polygon_in_ring_soup(5))}) {
     std::vector<std::uint8_t> depths(mesh->face_count(), 0);
     depths[0] = 3;
-    const RefinedMesh whole = refined(*mesh, depths);
+    const RefinedMesh whole = refined_by_depths(*mesh, depths);
     const CrackCheck check = check_cracks(*mesh, whole);
     EXPECT_TRUE(check.is_watertight());
     EXPECT_TRUE(check.crack_faces.empty());
@@ -41,7 +41,8 @@ TEST(CrackCheck, PassesWholeMeshes) {
 
 TEST(CrackCheck, CountsTheWholeBoundaryOfAnOpenMesh) {
   const MeshPointer mesh = test::control_mesh(test::grid_soup(4, 3));
-  const CrackCheck check = check_cracks(*mesh, refined(*mesh, std::vector<std::uint8_t>(12, 2)));
+  const CrackCheck check =
+      check_cracks(*mesh, refined_by_depths(*mesh, std::vector<std::uint8_t>(12, 2)));
   EXPECT_EQ(check.boundary_edges, 14u * 4u);
   EXPECT_EQ(check.control_boundary_edges, 14u * 4u);
 }
@@ -53,7 +54,8 @@ TEST(CrackCheck, FindsEveryMissingQuad) {
                                         test::control_mesh(test::polygon_in_ring_soup(3))};
   for (const MeshPointer& mesh : meshes) {
     for (int painting = 0; painting < 6; ++painting) {
-      const RefinedMesh whole = refined(*mesh, test::random_depths(*mesh, 0.3, 4, random));
+      const RefinedMesh whole =
+          refined_by_depths(*mesh, test::random_depths(*mesh, 0.3, 4, random));
       for (std::size_t f = 0; f < whole.quads.size(); ++f) {
         RefinedMesh holed = whole;
         remove_quad(holed, f);
@@ -67,7 +69,7 @@ TEST(CrackCheck, FindsEveryMissingQuad) {
 TEST(CrackCheck, FindsAVertexTornInTwo) {
   // One quad gets a vertex of its own in place of a shared one: its two edges there open.
   const MeshPointer mesh = test::cube();
-  RefinedMesh torn = refined(*mesh, {3, 0, 0, 0, 0, 0});
+  RefinedMesh torn = refined_by_depths(*mesh, {3, 0, 0, 0, 0, 0});
   const std::size_t f = torn.quads.size() / 2;
   torn.positions.push_back(torn.positions[torn.quads[f][0]]);
   torn.vertex_levels.push_back(torn.vertex_levels[torn.quads[f][0]]);
@@ -97,7 +99,7 @@ TEST(CrackCheck, FindsATJunction) {
 
 TEST(CrackCheck, FindsDoubledEdgesAndFlippedFaces) {
   const MeshPointer mesh = test::cube();
-  const RefinedMesh whole = refined(*mesh, {2, 0, 0, 0, 0, 0});
+  const RefinedMesh whole = refined_by_depths(*mesh, {2, 0, 0, 0, 0, 0});
   RefinedMesh doubled = whole;
   doubled.quads.push_back(whole.quads[3]);
   doubled.face_control_faces.push_back(whole.face_control_faces[3]);

@@ -49,7 +49,7 @@ VertexLabels labels_of(const ControlMesh& mesh, std::uint8_t depth) {
   return legal_labels(mesh, depths, {}, progress).value().labels;
 }
 
-RefinedMesh refined(const ControlMesh& mesh, std::uint8_t depth) {
+RefinedMesh refined_evenly(const ControlMesh& mesh, std::uint8_t depth) {
   IgnoreProgress progress;
   return refine(mesh, labels_of(mesh, depth), {}, {}, progress).value();
 }
@@ -85,11 +85,11 @@ TEST(FarFromTheOrigin, RefinementsAreAsExactAsNearIt) {
 TEST(FarFromTheOrigin, WrittenMeshesComeBackExact) {
   const PolygonSoup soup = lumpy_cube_soup();
   const MeshPointer near = moved(soup, glm::dvec3(0.0));
-  const RefinedMesh expected = refined(*near, 3);
+  const RefinedMesh expected = refined_evenly(*near, 3);
   for (const double diagonals : {1.0, 1e3, 1e5, 1e7}) {
     SCOPED_TRACE(fmt::format("{} diagonals away", diagonals));
     const glm::dvec3 offset = offset_of(soup, diagonals);
-    const RefinedMesh far = refined(*moved(soup, offset), 3);
+    const RefinedMesh far = refined_evenly(*moved(soup, offset), 3);
     const auto read = import_obj(obj_text(far), "written");
     ASSERT_TRUE(read) << to_string(read.error());
     ASSERT_EQ(read->mesh->vertex_count(), expected.vertex_count());
@@ -113,7 +113,7 @@ TEST(NearTheOrigin, WrittenNumbersAreThoseOfTheFloats) {
        {-1, 1, 1},
        {1, 1, 1}},
       {{4, 5, 7, 6}, {0, 2, 3, 1}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
-  const std::string text = obj_text(refined(*cube, 2));
+  const std::string text = obj_text(refined_evenly(*cube, 2));
   EXPECT_TRUE(
       text.starts_with("v -0.5555556 -0.5555556 -0.5555556\n"
                        "v 0.5555556 -0.5555556 -0.5555556\n"

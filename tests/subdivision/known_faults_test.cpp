@@ -20,7 +20,7 @@ VertexLabels labels_of(const ControlMesh& mesh, const std::vector<std::uint8_t>&
   return legal_labels(mesh, depths, settings, progress).value().labels;
 }
 
-RefinedMesh refined(const ControlMesh& mesh, const VertexLabels& labels) {
+RefinedMesh refined_from_labels(const ControlMesh& mesh, const VertexLabels& labels) {
   IgnoreProgress progress;
   return refine(mesh, labels, {}, {}, progress).value();
 }
@@ -40,7 +40,7 @@ TEST(KnownFault, TJunctionsWhereOnlyOneEndOfAnEdgeIsPositive) {
   const MeshPointer grid = test::control_mesh(test::grid_soup(4, 4));
   VertexLabels labels(25, 0);
   labels[12] = 1;
-  const RefinedMesh mesh = refined(*grid, labels);
+  const RefinedMesh mesh = refined_from_labels(*grid, labels);
   EXPECT_EQ(mesh.polygon_count(), 0u);
   EXPECT_EQ(mesh.vertex_count(), 25u + 4u + 4u);
   EXPECT_EQ(mesh.face_count(), 12u + 4u * 3u);
@@ -68,14 +68,14 @@ TEST(KnownFault, LoweringADepthLeftTheOldLabels) {
   depths[7] = depths[8] = 2;
   const VertexLabels labels = labels_of(*mesh, depths);
   EXPECT_EQ(std::ranges::max(labels), 2);
-  EXPECT_EQ(std::ranges::max(refined(*mesh, labels).face_levels), 2);
+  EXPECT_EQ(std::ranges::max(refined_from_labels(*mesh, labels).face_levels), 2);
 }
 
 TEST(KnownFault, PaintingAMixedMeshTwiceAddedTheFirstStepTwice) {
   const MeshPointer mesh = test::control_mesh(test::prism_soup(5));  // 30 corners.
   for (std::uint8_t depth = 1; depth <= 3; ++depth) {
     const std::vector<std::uint8_t> depths(mesh->face_count(), depth);
-    const RefinedMesh uniform = refined(*mesh, labels_of(*mesh, depths));
+    const RefinedMesh uniform = refined_from_labels(*mesh, labels_of(*mesh, depths));
     EXPECT_EQ(uniform.face_count(), std::size_t{30} << (2 * depth));
     EXPECT_THAT(uniform.face_levels, ::testing::Each(depth + 1));
   }

@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr WindowPoint kInViewport{400, 300};
+constexpr WindowPoint kOverMesh{400, 300};
 
 TEST(Panels, AButtonEmitsItsActionOnce) {
   Screen screen;
@@ -167,7 +167,7 @@ TEST(Panels, AClickOnAThatIsFollowedByAMoveToBInTheSameSlowFramePressesA) {
 
 TEST(Panels, ADragFromTheViewportPressesNoButton) {
   Screen screen;
-  screen.move(kInViewport);
+  screen.move(kOverMesh);
   screen.settle();
   screen.button(MouseButton::kLeft, true);
   EXPECT_TRUE(screen.frame().viewport_input.owns_drag);
@@ -188,7 +188,7 @@ TEST(Panels, ADragFromAPanelNeverReachesTheViewport) {
   screen.settle();
   screen.button(MouseButton::kLeft, true);
   screen.frame();
-  screen.move(kInViewport);
+  screen.move(kOverMesh);
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(screen.frame().viewport_input.owns_drag);
     EXPECT_FALSE(screen.last().viewport_input.is_hovered);
@@ -202,7 +202,7 @@ TEST(Panels, AButtonReleasedElsewhereIsNotPressed) {
   screen.move(screen.middle("Raise all"));
   screen.settle();
   screen.button(MouseButton::kLeft, true);
-  screen.move(kInViewport);
+  screen.move(kOverMesh);
   screen.button(MouseButton::kLeft, false);
   screen.settle();
   EXPECT_THAT(screen.take_actions(), IsEmpty());
