@@ -11,7 +11,11 @@ int main() {
       "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
   const auto mesh = limn::import_obj(cube, "cube").value().mesh;
   limn::FaceDepths depths(mesh->face_count());
-  limn::apply_paint_rule(*mesh, limn::parse_paint_rule("faces=1:=3").value(), {}, depths).value();
+  const auto rule = limn::parse_paint_rule("faces=1:=3").value();
+  if (const auto painted = limn::apply_paint_rule(*mesh, rule, {}, depths); !painted) {
+    std::cerr << to_string(painted.error()) << '\n';
+    return 1;
+  }
   limn::IgnoreProgress progress;
   const auto labels = limn::legal_labels(*mesh, depths.values(), {}, progress).value().labels;
   const auto refined = limn::refine(*mesh, labels, {}, {}, progress).value();
