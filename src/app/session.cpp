@@ -84,7 +84,7 @@ void Session::show(Project project) {
   facts_.update(document_.control, dihedral_threshold_);
   is_framed_ = project.view.has_value();
   camera_.set(project.view ? *project.view
-                           : render::default_view(document_.control->bounds(), aspect_));
+                           : render::default_view(document_.control->positions(), aspect_));
   remember_file(document_.project_path.empty() ? document_.mesh_path : document_.project_path);
   if (document_.import_report.is_mended()) {
     std::string text = document_.name + ":";

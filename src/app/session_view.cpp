@@ -148,7 +148,7 @@ void Session::zoom(double factor) {
 
 void Session::set_aspect(double aspect) {
   if (!is_framed_) {
-    camera_.set(render::default_view(document_.control->bounds(), aspect));
+    camera_.set(render::default_view(document_.control->positions(), aspect));
     is_framed_ = true;
   }
   aspect_ = aspect;

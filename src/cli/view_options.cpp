@@ -13,7 +13,6 @@
 #include "render/camera.h"
 #include "render/context/gl_context.h"
 #include "render/named_views.h"
-#include "render/navigation.h"
 #include "render/picking/face_picker.h"
 #include "render/surface/surface.h"
 #include "render/surface/surface_buffers.h"
@@ -83,8 +82,8 @@ Result<ViewState> resolve_view(const ViewOptions& options, const Project& projec
     return load_view(options.camera_file);
   }
   const auto frame = [&](render::NamedView direction) {
-    return render::frame_points(render::turn_to({}, direction),
-                                project.document.control->positions(), options.size.aspect());
+    return render::named_view(direction, project.document.control->positions(),
+                              options.size.aspect());
   };
   if (!options.view_name.empty()) {
     return render::parse_view_name(options.view_name).map(frame);

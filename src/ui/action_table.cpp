@@ -95,7 +95,7 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kToggleWireframe, kDisplay, ValueKind::kToggle, "Wireframe", "Draw the edges of the faces."},
     {kToggleSmooth, kDisplay, ValueKind::kToggle, "Smooth",
      "Shade the surface without facets. Only the light changes, not the mesh."},
-    {kToggleLight, kDisplay, ValueKind::kToggle, "Light",
+    {kToggleLight, kDisplay, ValueKind::kToggle, "Lighting",
      "Light the surface. Without it the pure depth colours show."},
     {kToggleLabels, kDisplay, ValueKind::kToggle, "Vertex labels",
      "Show at each vertex how many more levels the faces around it get."},

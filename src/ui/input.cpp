@@ -1,5 +1,6 @@
 // A frame swallows events until a button has changed. The ones behind it wait for the next frame,
-// so neither ImGui nor the brush can see a press together with a place the cursor went to later.
+// so neither ImGui nor the brush can see a press together with a place the cursor went to later. A
+// release waits for the frame after the moves before it, so neither misses where a drag ended.
 
 #include "ui/input.h"
 
@@ -51,6 +52,12 @@ InputFrame InputQueue::next_frame() {
     const InputEvent& event = events_.front();
     const auto* key = std::get_if<KeyChanged>(&event.what);
     if (key != nullptr && !key->is_repeat && changed_keys.test(index(key->key))) {
+      break;
+    }
+    // What is dragged must see its last place while it is still held.
+    const auto* button = std::get_if<ButtonChanged>(&event.what);
+    if (button != nullptr && !button->is_down && buttons_down_[index(button->button)] &&
+        !frame.path.empty()) {
       break;
     }
     take(event, frame, changed_keys);

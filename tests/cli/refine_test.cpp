@@ -82,6 +82,17 @@ TEST(Refine, OverBudgetIsItsOwnExitCodeAndWritesNothing) {
   EXPECT_EQ(limn({"refine", "cube", "--paint", "all:=6", "--budget", "24576"}).exit_code, 0);
 }
 
+TEST(Refine, CtrlCCancelsWithItsOwnExitCodeAndWritesNothing) {
+  // Nineteen million faces take several seconds; the interrupt comes after one.
+  const ScratchFolder scratch;
+  const ProgramRun run = run_program(
+      "/usr/bin/timeout", {"--preserve-status", "--signal=INT", "1", LIMN_PROGRAM, "refine",
+                           "creature", "--paint", "all:=7", "-o", scratch.file("out.obj")});
+  EXPECT_EQ(run.exit_code, 130);
+  EXPECT_THAT(run.err, HasSubstr("cancelled"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("out.obj")));
+}
+
 TEST(Refine, StopsAfterTheLevelsAskedFor) {
   const Json numbers =
       Json::parse(limn({"refine", "cube", "--json", "--paint", "all:=4", "--levels", "2"}).out);

@@ -62,7 +62,24 @@ TEST(InputQueue, MovesBetweenButtonChangesAreOnePath) {
   EXPECT_THAT(feed.queue.next_frame().path, ElementsAre(WindowPoint{1, 1}));
   const InputFrame drag = feed.queue.next_frame();
   EXPECT_THAT(drag.path, ElementsAre(WindowPoint{2, 1}, WindowPoint{3, 1}));
-  EXPECT_THAT(drag.button, Optional(ButtonChanged{MouseButton::kLeft, false}));
+}
+
+TEST(InputQueue, ADragIsStillHeldWhereItsLastMoveEnds) {
+  // A slider that sees the release together with the last move stays where it was before.
+  Feeder feed;
+  feed(MouseMoved{{1, 1}});
+  feed.press();
+  feed(MouseMoved{{2, 1}});
+  feed.release();
+  (void)feed.queue.next_frame();
+  const InputFrame held = feed.queue.next_frame();
+  EXPECT_EQ(held.cursor, (WindowPoint{2, 1}));
+  EXPECT_TRUE(held.is_down(MouseButton::kLeft));
+  EXPECT_EQ(held.button, std::nullopt);
+  EXPECT_TRUE(feed.queue.has_pending());
+  const InputFrame released = feed.queue.next_frame();
+  EXPECT_EQ(released.cursor, (WindowPoint{2, 1}));
+  EXPECT_THAT(released.button, Optional(ButtonChanged{MouseButton::kLeft, false}));
 }
 
 TEST(InputQueue, ModifiersAreThoseOfTheButtonChange) {

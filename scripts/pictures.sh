@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# pictures.sh
+# Makes the README's pictures anew: the painted creature and its refinement by `limn render`, and a
+# screenshot of the window on a display of its own.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+scripts/install-packages.sh program tests
+options=()
+[ -f build/release/build.ninja ] || options=(-DLIMN_BUILD_TESTS=OFF)
+scripts/build.sh release "${options[@]}" limn
+limn=$PWD/build/release/bin/limn
+mkdir -p docs
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# One level where the face is seen from the front, one along what is bent, one more where it is bent
+# sharply: ears, eyes and toes.
+"$limn" refine creature --view front --paint visible:+1 --paint 'dihedral>28:+1' \
+  --paint 'dihedral>50:+1' -o "$scratch/creature.limn"
+look=(--view three-quarter --size 960x720 --light-theme)
+"$limn" render "$scratch/creature.limn" "${look[@]}" --show control -o docs/painted.png
+"$limn" render "$scratch/creature.limn" "${look[@]}" --show refined -o docs/refined.png
+scripts/window_picture.py "$limn" "$scratch/creature.limn" docs/window.png
+ls -l docs/*.png
