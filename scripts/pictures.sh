@@ -17,6 +17,7 @@ trap 'rm -rf "$scratch"' EXIT
 # sharply: ears, eyes and toes.
 "$limn" refine creature --view front --paint visible:+1 --paint 'dihedral>28:+1' \
   --paint 'dihedral>50:+1' -o "$scratch/creature.limn"
+"$limn" refine "$scratch/creature.limn" --view three-quarter --size 916x742 -o "$scratch/creature.limn"
 look=(--view three-quarter --size 960x720 --light-theme)
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show control -o docs/painted.png
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show refined -o docs/refined.png
