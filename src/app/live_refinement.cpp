@@ -116,7 +116,7 @@ ui::RefinementStatus LiveRefinement::status() const {
     status.prediction = &labels.prediction;
     status.legality =
         ui::LegalityStatus{labels.illegal_faces.size(), labels.illegal_vertices.size(),
-                           labels.legal.steps.size(), newest_->illegal_left};
+                           labels.raised_vertices.size(), newest_->illegal_left};
   }
   if (refined_) {
     const Refinement& refinement = *refined_->refinement;

@@ -101,7 +101,7 @@ void ViewportScene::sync_labels(const Session& session) {
     }
     if (key.shows_labels) {
       markers = key.is_legalised
-                    ? render::label_markers(mesh, labels->legal.labels, {}, labels->legal.steps)
+                    ? render::label_markers(mesh, labels->legal.labels, {}, labels->raised_vertices)
                     : render::label_markers(mesh, labels->painted, illegal, {});
     } else {
       markers = illegal_markers(mesh, illegal);

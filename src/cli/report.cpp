@@ -133,7 +133,7 @@ Json refinement_report(const Document& document, const Derived& derived) {
       {"faces_by_depth", by_depth},
       {"illegal_faces", labels.illegal_faces.size()},
       {"illegal_vertices", labels.illegal_vertices.size()},
-      {"relabelled_vertices", labels.legal.steps.size()},
+      {"relabelled_vertices", labels.raised_vertices.size()},
       {"levels", counts.levels},
       {"faces", counts.faces},
       {"vertices", counts.vertices},
@@ -185,7 +185,7 @@ std::string refinement_text(const Document& document, const Derived& derived) {
   Table table;
   table.row("painted", painted_text(document.depths));
   table.count("illegal vertices", derived.labels.illegal_vertices.size());
-  table.count("relabelled", derived.labels.legal.steps.size());
+  table.count("relabelled", derived.labels.raised_vertices.size());
   table.row("levels", std::to_string(counts.levels));
   table.count("faces", counts.faces);
   table.count("vertices", counts.vertices);

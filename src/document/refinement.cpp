@@ -50,6 +50,11 @@ Result<DerivedLabels> derive_labels(const ControlMesh& control,
     return tl::unexpected(std::move(legal.error()));
   }
   derived.legal = *std::move(legal);
+  for (std::uint32_t v = 0; v < derived.painted.size(); ++v) {
+    if (derived.painted[v] == 0 && derived.legal.labels[v] > 0) {
+      derived.raised_vertices.push_back(v);
+    }
+  }
   derived.prediction = predict_refinement(control, derived.legal.labels);
   derived.seconds = watch.seconds();
   return derived;

@@ -63,6 +63,7 @@ TEST(DeriveLabels, CubeWithOneFacePaintedIsMendedByThreeRelabels) {
   EXPECT_EQ(derived.illegal_faces.size(), 4U);
   EXPECT_EQ(derived.illegal_vertices.size(), 4U);
   EXPECT_EQ(derived.legal.steps.size(), 3U);
+  EXPECT_EQ(derived.raised_vertices.size(), 3U);
   EXPECT_THAT(illegal_faces(*cube, derived.legal.labels), IsEmpty());
   EXPECT_EQ(derived.prediction.faces, 2484U);
   EXPECT_EQ(derived.prediction.vertices, 2486U);
@@ -77,6 +78,28 @@ TEST(DeriveLabels, NothingPaintedNeedsNothing) {
   EXPECT_THAT(derived.legal.steps, IsEmpty());
   EXPECT_EQ(derived.prediction.faces, 6U);
   EXPECT_EQ(derived.prediction.levels, 0);
+}
+
+TEST(DeriveLabels, CountsVerticesThatAreRaisedAlongWithAChosenOne) {
+  test::Random random(5);
+  const auto mesh = test::control_mesh(test::with_mixed_faces(test::grid_soup(12, 12), random));
+  std::size_t chosen = 0;
+  std::size_t raised = 0;
+  for (int round = 0; round < 20; ++round) {
+    const DerivedLabels derived = labels_of(*mesh, test::random_depths(*mesh, 0.1, 2, random),
+                                            {.non_quads = NonQuadRule::kWherePainted});
+    for (const LegalisationStep& step : derived.legal.steps) {
+      EXPECT_THAT(derived.raised_vertices, ::testing::Contains(step.vertex));
+    }
+    for (const std::uint32_t vertex : derived.raised_vertices) {
+      EXPECT_EQ(derived.painted[vertex], 0);
+      EXPECT_GT(derived.legal.labels[vertex], 0);
+    }
+    chosen += derived.legal.steps.size();
+    raised += derived.raised_vertices.size();
+  }
+  EXPECT_GT(chosen, 0U);
+  EXPECT_GT(raised, chosen);
 }
 
 TEST(DeriveLabels, FollowsTheRuleForNonQuads) {

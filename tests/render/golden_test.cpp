@@ -222,7 +222,11 @@ TEST_F(Goldens, LabelsRelabelled) {
   IgnoreProgress progress;
   const auto legal = legal_labels(*mesh, depths, {}, progress);
   ASSERT_TRUE(legal);
-  markers->upload(label_markers(*mesh, legal->labels, {}, legal->steps), 1);
+  std::vector<std::uint32_t> raised;
+  for (const LegalisationStep& step : legal->steps) {
+    raised.push_back(step.vertex);
+  }
+  markers->upload(label_markers(*mesh, legal->labels, {}, raised), 1);
   settings.has_wireframe = true;
   settings.theme = Theme::kLight;
   scene.markers = markers.get();

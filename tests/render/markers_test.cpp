@@ -14,8 +14,8 @@ TEST(Markers, LabelsStandAtTheirVertices) {
   const auto mesh = test::cube();
   const VertexLabels labels{0, 1, 2, 3, 4, 5, 6, 7};
   const std::vector<std::uint32_t> illegal{0, 5};
-  const std::vector<LegalisationStep> steps{{2, 1, 0}};
-  const std::vector<Marker> markers = label_markers(*mesh, labels, illegal, steps);
+  const std::vector<std::uint32_t> raised{2};
+  const std::vector<Marker> markers = label_markers(*mesh, labels, illegal, raised);
   ASSERT_EQ(markers.size(), 8U);
   for (std::size_t v = 0; v < 8; ++v) {
     EXPECT_EQ(markers[v].number, labels[v]);

@@ -24,6 +24,9 @@ struct DerivedLabels {
   std::vector<std::uint32_t> illegal_faces;     ///< Under `painted`, ascending.
   std::vector<std::uint32_t> illegal_vertices;  ///< Likewise.
   Legalisation legal;
+  /// Vertices that legalisation raised from 0, ascending: those its steps chose and, where faces
+  /// that are no quads were raised with them, their other vertices.
+  std::vector<std::uint32_t> raised_vertices;
   RefinementPrediction prediction;  ///< Of all the levels the labels ask for.
   double seconds = 0.0;
 };

@@ -16,7 +16,7 @@ static_assert(sizeof(MarkerRecord) == 16);
 
 std::vector<Marker> label_markers(const ControlMesh& mesh, const VertexLabels& labels,
                                   std::span<const std::uint32_t> illegal,
-                                  std::span<const LegalisationStep> steps) {
+                                  std::span<const std::uint32_t> raised) {
   LIMN_EXPECTS(labels.size() == mesh.vertex_count());
   const glm::dvec3 origin = mesh.bounds().centre();
   std::vector<Marker> markers;
@@ -24,8 +24,8 @@ std::vector<Marker> label_markers(const ControlMesh& mesh, const VertexLabels& l
   for (std::size_t v = 0; v < labels.size(); ++v) {
     markers.push_back({glm::vec3(mesh.positions()[v] - origin), MarkerStyle::kLabel, labels[v]});
   }
-  for (const LegalisationStep& step : steps) {
-    markers[step.vertex].style = MarkerStyle::kRelabelled;
+  for (const std::uint32_t vertex : raised) {
+    markers[vertex].style = MarkerStyle::kRelabelled;
   }
   for (const std::uint32_t vertex : illegal) {
     markers[vertex].style = MarkerStyle::kIllegal;

@@ -9,7 +9,6 @@
 
 #include "limn/mesh/control_mesh.h"
 #include "limn/subdivision/labels.h"
-#include "limn/subdivision/legalisation.h"
 #include "render/gl/buffer.h"
 #include "render/gl/vertex_array.h"
 
@@ -31,10 +30,10 @@ struct Marker {
 };
 
 /// What the labels of a control mesh look like: a dot a vertex. Vertices of `illegal` are magenta;
-/// those that `steps` raised are amber.
+/// those of `raised` are amber.
 [[nodiscard]] std::vector<Marker> label_markers(const ControlMesh& mesh, const VertexLabels& labels,
                                                 std::span<const std::uint32_t> illegal,
-                                                std::span<const LegalisationStep> steps);
+                                                std::span<const std::uint32_t> raised);
 
 /// The depth of every painted control face, as a number at its centroid.
 [[nodiscard]] std::vector<Marker> depth_markers(const ControlMesh& mesh,
