@@ -164,6 +164,24 @@ struct Window::Callbacks {
   }
 };
 
+namespace {
+
+/// The size asked for, as far as the monitor has room for it and the interface can do with it.
+std::pair<int, int> initial_size(const ui::WindowSize& asked) {
+  int width = static_cast<int>(std::lround(asked.width));
+  int height = static_cast<int>(std::lround(asked.height));
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
+    int room_width = 0;
+    int room_height = 0;
+    glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room_width, &room_height);
+    width = room_width > 0 ? std::min(width, room_width) : width;
+    height = room_height > 0 ? std::min(height, room_height) : height;
+  }
+  return {std::max(width, kSmallestWidth), std::max(height, kSmallestHeight)};
+}
+
+}  // namespace
+
 Window::Window(const WindowSettings& settings) : title_(settings.title) {
   glfwSetErrorCallback(remember_error);
   if (glfwInit() == GLFW_FALSE) {
@@ -173,10 +191,8 @@ Window::Window(const WindowSettings& settings) : title_(settings.title) {
   }
   set_context_hints();
   glfwWindowHint(GLFW_MAXIMIZED, settings.is_maximised ? GLFW_TRUE : GLFW_FALSE);
-  window_ = glfwCreateWindow(
-      std::max(static_cast<int>(std::lround(settings.size.width)), kSmallestWidth),
-      std::max(static_cast<int>(std::lround(settings.size.height)), kSmallestHeight),
-      title_.c_str(), nullptr, nullptr);
+  const auto [width, height] = initial_size(settings.size);
+  window_ = glfwCreateWindow(width, height, title_.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {
     const std::string reason = last_glfw_error();
     glfwTerminate();

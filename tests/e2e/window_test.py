@@ -71,11 +71,26 @@ def check_unsaved_and_preferences(executable, display, folder):
         program.kill()
 
 
+def check_small_screen(executable, folder):
+    """On a screen smaller than the window would like to be, all of it is on the screen."""
+    display = Display((800, 600))
+    program = Program(executable, ["cube"], display, folder)
+    try:
+        state = program.wait_for("it has started", lambda s: not s["busy"])
+        assert state["window"][0] <= 800 and state["window"][1] <= 600, state["window"]
+        program.close_window()
+        assert program.wait_for_exit() == 0, program.log()
+    finally:
+        program.kill()
+        display.close()
+
+
 def main():
     executable, mesh = sys.argv[1:]
     with Folder() as folder:
         check_bad_file(executable, folder)
         check_no_display(executable, mesh, folder)
+        check_small_screen(executable, folder)
         display = Display()
         try:
             check_unsaved_and_preferences(executable, display, folder)
