@@ -58,6 +58,16 @@ void flatten_edges(const HalfedgeMesh& mesh, const std::vector<std::uint32_t>& h
   }
 }
 
+void pair_corners(FlatTopology& flat) {
+  flat.corner_twins.assign(flat.corner_edges.size(), kNone);
+  for (const auto [one, other] : flat.edge_corners) {
+    if (other != kNone) {
+      flat.corner_twins[one] = other;
+      flat.corner_twins[other] = one;
+    }
+  }
+}
+
 void flatten_vertices(const HalfedgeMesh& mesh, const std::vector<std::uint32_t>& halfedge_corners,
                       FlatTopology& flat) {
   flat.vertex_offsets.reserve(mesh.n_vertices() + 1);
@@ -88,34 +98,55 @@ double Bounds::diagonal() const noexcept {
   return glm::length(high - low);
 }
 
-ControlMesh::ControlMesh(HalfedgeMesh mesh) : mesh_(std::move(mesh)) {
-  const std::vector<std::uint32_t> halfedge_corners = flatten_faces(mesh_, topology_);
-  flatten_edges(mesh_, halfedge_corners, topology_);
-  flatten_vertices(mesh_, halfedge_corners, topology_);
+ControlMesh::ControlMesh(HalfedgeMesh mesh, MeshAttributes attributes) {
+  auto surface = std::make_shared<Surface>();
+  FlatTopology& topology = surface->topology;
+  surface->halfedges = std::move(mesh);
+  const HalfedgeMesh& halfedges = surface->halfedges;
+  const std::vector<std::uint32_t> halfedge_corners = flatten_faces(halfedges, topology);
+  flatten_edges(halfedges, halfedge_corners, topology);
+  pair_corners(topology);
+  flatten_vertices(halfedges, halfedge_corners, topology);
 
-  positions_.reserve(mesh_.n_vertices());
-  for (const auto vertex : mesh_.vertices()) {
-    const auto& p = mesh_.point(vertex);
-    positions_.emplace_back(p[0], p[1], p[2]);
+  surface->positions.reserve(halfedges.n_vertices());
+  for (const auto vertex : halfedges.vertices()) {
+    const auto& p = halfedges.point(vertex);
+    surface->positions.emplace_back(p[0], p[1], p[2]);
   }
-  if (!positions_.empty()) {
-    bounds_ = {positions_.front(), positions_.front()};
-    for (const glm::dvec3& p : positions_) {
-      bounds_.low = glm::min(bounds_.low, p);
-      bounds_.high = glm::max(bounds_.high, p);
+  if (!surface->positions.empty()) {
+    Bounds& bounds = surface->bounds;
+    bounds = {surface->positions.front(), surface->positions.front()};
+    for (const glm::dvec3& p : surface->positions) {
+      bounds.low = glm::min(bounds.low, p);
+      bounds.high = glm::max(bounds.high, p);
     }
   }
-  is_all_quads_ = true;
-  for (std::size_t f = 0; f < face_count() && is_all_quads_; ++f) {
-    is_all_quads_ = topology_.face_offsets[f + 1] - topology_.face_offsets[f] == 4;
-  }
-  is_closed_ = std::all_of(topology_.edge_corners.begin(), topology_.edge_corners.end(),
-                           [](const auto& corners) { return corners[1] != kNone; });
+  surface->is_all_quads = std::ranges::adjacent_find(topology.face_offsets, [](auto a, auto b) {
+                            return b - a != 4;
+                          }) == topology.face_offsets.end();
+  surface->is_closed = std::ranges::all_of(topology.edge_corners,
+                                           [](const auto& corners) { return corners[1] != kNone; });
+  *this = ControlMesh(std::move(surface), std::move(attributes));
+}
+
+ControlMesh::ControlMesh(std::shared_ptr<const Surface> surface, MeshAttributes attributes)
+    : surface_(std::move(surface)), attributes_(std::move(attributes)) {
+  const auto fits = [](const auto& array, std::size_t size) {
+    return array.empty() || array.size() == size;
+  };
+  LIMN_EXPECTS(fits(creases().edge_sharpness, edge_count()));
+  LIMN_EXPECTS(fits(creases().vertex_sharpness, vertex_count()));
+  LIMN_EXPECTS(fits(texture().corner_values, topology().corner_vertices.size()));
+}
+
+ControlMesh ControlMesh::with_attributes(MeshAttributes attributes) const {
+  return {surface_, std::move(attributes)};
 }
 
 std::span<const std::uint32_t> ControlMesh::face(std::size_t f) const noexcept {
-  const std::uint32_t begin = topology_.face_offsets[f];
-  return std::span(topology_.corner_vertices).subspan(begin, topology_.face_offsets[f + 1] - begin);
+  const FlatTopology& flat = topology();
+  const std::uint32_t begin = flat.face_offsets[f];
+  return std::span(flat.corner_vertices).subspan(begin, flat.face_offsets[f + 1] - begin);
 }
 
 }  // namespace limn

@@ -3,12 +3,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "limn/mesh/creases.h"
 #include "limn/mesh/halfedge_mesh.h"
+#include "limn/mesh/texture_coordinates.h"
 
 namespace limn {
 
@@ -34,6 +38,8 @@ struct FlatTopology {
   std::vector<std::uint32_t> face_offsets;     ///< F + 1, prefix sums of face sides.
   std::vector<std::uint32_t> corner_vertices;  ///< C, counter-clockwise.
   std::vector<std::uint32_t> corner_edges;     ///< C, edge from this corner to the next.
+  std::vector<std::uint32_t> corner_twins;     ///< C, the corner on the other side of that edge, or
+                                               ///< kNone on a boundary.
   std::vector<std::array<std::uint32_t, 2>> edge_vertices;  ///< E.
   std::vector<std::array<std::uint32_t, 2>> edge_corners;   ///< E, second is kNone on a boundary.
   std::vector<std::uint32_t> vertex_offsets;                ///< V + 1, prefix sums of faces around.
@@ -41,6 +47,13 @@ struct FlatTopology {
       vertex_corners;  ///< C, corners around each vertex, counter-clockwise;
                        ///< at a boundary vertex from one boundary edge to the other.
   std::vector<std::uint32_t> corner_faces;  ///< C, the face a corner belongs to.
+};
+
+/// What a control mesh carries besides its surface.
+struct MeshAttributes {
+  Creases creases;
+  std::optional<CornerRule> corners;  ///< What the file asks of boundary corners, if it says so.
+  TextureCoordinates texture;
 };
 
 /// The polygon mesh the artist paints: an oriented 2-manifold, with or without boundary, of
@@ -51,33 +64,52 @@ struct FlatTopology {
 class ControlMesh {
  public:
   /// Takes over a half-edge mesh without isolated vertices, deleted elements or non-manifold
-  /// vertices.
-  explicit ControlMesh(HalfedgeMesh mesh);
+  /// vertices. The arrays of `attributes` are empty or fit the mesh's flat topology; sharpness is
+  /// finite and not negative.
+  explicit ControlMesh(HalfedgeMesh mesh, MeshAttributes attributes = {});
 
-  [[nodiscard]] const HalfedgeMesh& halfedges() const noexcept { return mesh_; }
-  [[nodiscard]] const FlatTopology& topology() const noexcept { return topology_; }
+  /// The same surface with other attributes. Everything else is shared, not copied.
+  [[nodiscard]] ControlMesh with_attributes(MeshAttributes attributes) const;
 
-  [[nodiscard]] std::size_t vertex_count() const noexcept { return positions_.size(); }
-  [[nodiscard]] std::size_t edge_count() const noexcept { return topology_.edge_vertices.size(); }
+  [[nodiscard]] const HalfedgeMesh& halfedges() const noexcept { return surface_->halfedges; }
+  [[nodiscard]] const FlatTopology& topology() const noexcept { return surface_->topology; }
+
+  [[nodiscard]] std::size_t vertex_count() const noexcept { return surface_->positions.size(); }
+  [[nodiscard]] std::size_t edge_count() const noexcept {
+    return surface_->topology.edge_vertices.size();
+  }
   [[nodiscard]] std::size_t face_count() const noexcept {
-    return topology_.face_offsets.size() - 1;
+    return surface_->topology.face_offsets.size() - 1;
   }
 
-  [[nodiscard]] std::span<const glm::dvec3> positions() const noexcept { return positions_; }
+  [[nodiscard]] std::span<const glm::dvec3> positions() const noexcept {
+    return surface_->positions;
+  }
   /// Vertices of face f, counter-clockwise seen from outside.
   [[nodiscard]] std::span<const std::uint32_t> face(std::size_t f) const noexcept;
 
-  [[nodiscard]] bool is_all_quads() const noexcept { return is_all_quads_; }
-  [[nodiscard]] bool is_closed() const noexcept { return is_closed_; }
-  [[nodiscard]] const Bounds& bounds() const noexcept { return bounds_; }
+  [[nodiscard]] bool is_all_quads() const noexcept { return surface_->is_all_quads; }
+  [[nodiscard]] bool is_closed() const noexcept { return surface_->is_closed; }
+  [[nodiscard]] const Bounds& bounds() const noexcept { return surface_->bounds; }
+
+  [[nodiscard]] const MeshAttributes& attributes() const noexcept { return attributes_; }
+  [[nodiscard]] const Creases& creases() const noexcept { return attributes_.creases; }
+  [[nodiscard]] const TextureCoordinates& texture() const noexcept { return attributes_.texture; }
 
  private:
-  HalfedgeMesh mesh_;
-  FlatTopology topology_;
-  std::vector<glm::dvec3> positions_;
-  Bounds bounds_;
-  bool is_all_quads_ = false;
-  bool is_closed_ = false;
+  struct Surface {
+    HalfedgeMesh halfedges;
+    FlatTopology topology;
+    std::vector<glm::dvec3> positions;
+    Bounds bounds;
+    bool is_all_quads = false;
+    bool is_closed = false;
+  };
+
+  ControlMesh(std::shared_ptr<const Surface> surface, MeshAttributes attributes);
+
+  std::shared_ptr<const Surface> surface_;
+  MeshAttributes attributes_;
 };
 
 }  // namespace limn

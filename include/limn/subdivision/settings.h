@@ -1,5 +1,7 @@
 #pragma once
 
+#include "limn/mesh/creases.h"
+
 namespace limn {
 
 /// The greatest depth a face can be painted with: 4^10 quads from one.
@@ -17,10 +19,16 @@ enum class LegalisationMethod {
   kGreedy,  ///< The paper's order: highest valence, then lowest cost, then lowest index.
 };
 
-/// What happens to a boundary vertex that belongs to one face only.
-enum class CornerRule {
-  kSharp,   ///< It stays where it is (OpenSubdiv's edge-and-corner).
-  kSmooth,  ///< It follows the boundary's cubic B-spline like any other (edge-only).
+/// Where the vertices of a refined mesh lie.
+enum class SurfacePoints {
+  kLevel,  ///< At P_k of uniform Catmull-Clark, k being the level they were last moved at.
+  kLimit,  ///< On the limit surface.
+};
+
+/// How texture coordinates are subdivided, by the names of OpenSubdiv's face-varying options.
+enum class TextureRule {
+  kLinear,        ///< Bilinear in every face (linear all).
+  kSmoothInside,  ///< Smooth, but linear along seams and boundaries (linear boundaries).
 };
 
 /// The choices of a label-driven subdivision.
@@ -28,6 +36,8 @@ struct SubdivisionSettings {
   NonQuadRule non_quads = NonQuadRule::kUniformFirstStep;
   LegalisationMethod legalisation = LegalisationMethod::kGreedy;
   CornerRule corners = CornerRule::kSharp;
+  SurfacePoints points = SurfacePoints::kLevel;
+  TextureRule texture = TextureRule::kSmoothInside;
 
   [[nodiscard]] bool operator==(const SubdivisionSettings&) const = default;
 };
