@@ -10,9 +10,9 @@
 namespace limn {
 namespace {
 
-template <class T>
-std::size_t bytes_of(const std::vector<T>& array) {
-  return array.size() * sizeof(T);
+template <class Array>
+std::size_t bytes_of(const Array& array) {
+  return array.size() * sizeof(typename Array::value_type);
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ RefinedMesh allocate_output(const ControlMesh& mesh, const VertexLabels& labels,
   output.vertex_levels.resize(prediction.vertices);
   output.face_control_faces.resize(prediction.faces);
   output.face_levels.resize(prediction.faces);
+  std::fill_n(output.vertex_levels.begin(), mesh.vertex_count(), std::uint8_t{0});
   std::ranges::transform(
       mesh.positions(), output.positions.begin(),
       [&output](const glm::dvec3& position) { return glm::vec3(position - output.origin); });
@@ -80,6 +81,7 @@ RefinedMesh allocate_output(const ControlMesh& mesh, const VertexLabels& labels,
   std::size_t next_face = prediction.faces - polygons;
   for (std::uint32_t f = 0; polygons > 0 && f < mesh.face_count(); ++f) {
     if (stays_polygon(mesh, labels, f)) {
+      output.face_levels[next_face] = 0;
       output.face_control_faces[next_face++] = f;
       const auto corners = mesh.face(f);
       output.polygon_vertices.insert(output.polygon_vertices.end(), corners.begin(), corners.end());

@@ -33,8 +33,10 @@ PickedMesh picked_mesh(const ControlMesh& mesh) {
 }
 
 PickedMesh picked_mesh(const ControlMesh& control, const RefinedMesh& mesh) {
-  return {make_surface(mesh, control.bounds().centre(), control.face_count()), polygons_of(mesh),
-          mesh.face_control_faces, control.bounds()};
+  return {make_surface(mesh, control.bounds().centre(), control.face_count()),
+          polygons_of(mesh),
+          {mesh.face_control_faces.begin(), mesh.face_control_faces.end()},
+          control.bounds()};
 }
 
 RefinedMesh refined_in_places(const ControlMesh& mesh) {

@@ -6,11 +6,29 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "limn/mesh/halfedge_mesh.h"
+#include "limn/mesh/large_array.h"
 
 namespace limn {
+
+/// An edge of a refined mesh that is still sharp. Boundary edges are not listed.
+struct RefinedCrease {
+  std::array<std::uint32_t, 2> vertices{};
+  float sharpness = 0.0f;
+
+  [[nodiscard]] bool operator==(const RefinedCrease&) const = default;
+};
+
+/// A vertex of a refined mesh that is still a corner by a sharpness of its own.
+struct RefinedCorner {
+  std::uint32_t vertex = 0;
+  float sharpness = 0.0f;
+
+  [[nodiscard]] bool operator==(const RefinedCorner&) const = default;
+};
 
 /// The result of an adaptive subdivision: quads, the non-quad control faces that stayed as they
 /// were, and where each came from.
@@ -25,18 +43,32 @@ namespace limn {
 /// the world's origin, `origin` is the centre of those bounds. So a vertex is never further than
 /// that from where it belongs (diagonals below 1e-36, the end of float's range, excepted).
 struct RefinedMesh {
-  glm::dvec3 origin{0.0};                   ///< World position that `positions` are relative to.
-  std::vector<glm::vec3> positions;         ///< In the control mesh's units, along its axes.
-  std::vector<std::uint8_t> vertex_levels;  ///< Level k at which the vertex was made or last moved:
-                                            ///< its position is P_k of uniform Catmull-Clark.
+  glm::dvec3 origin{0.0};                  ///< World position that `positions` are relative to.
+  LargeArray<glm::vec3> positions;         ///< In the control mesh's units, along its axes.
+  LargeArray<std::uint8_t> vertex_levels;  ///< Level k at which the vertex was made or last moved:
+                                           ///< its position is P_k of uniform Catmull-Clark.
 
-  std::vector<std::array<std::uint32_t, 4>> quads;  ///< Counter-clockwise vertex indices.
+  LargeArray<std::array<std::uint32_t, 4>> quads;  ///< Counter-clockwise vertex indices.
   std::vector<std::uint32_t> polygon_offsets{
       0};                                       ///< Faces that are no quads: prefix sums of sides,
   std::vector<std::uint32_t> polygon_vertices;  ///< and their vertices.
 
-  std::vector<std::uint32_t> face_control_faces;  ///< For every face the control face it lies in.
-  std::vector<std::uint8_t> face_levels;          ///< For every face the level it was made at.
+  LargeArray<std::uint32_t> face_control_faces;  ///< For every face the control face it lies in.
+  LargeArray<std::uint8_t> face_levels;          ///< For every face the level it was made at.
+
+  /// Normals of the limit surface, of length 1 (0 where it has no tangent plane), one per vertex;
+  /// empty unless asked for.
+  LargeArray<glm::vec3> normals;
+
+  /// Texture coordinates, where the control mesh has them: points of the texture plane, and for
+  /// each corner of the quads and of the other faces the point it has. All empty where it has none.
+  LargeArray<glm::vec2> uvs;
+  LargeArray<std::array<std::uint32_t, 4>> quad_uvs;
+  std::vector<std::uint32_t> polygon_uvs;
+
+  /// What is still sharp, with the sharpness that remains at the level an edge or vertex was made.
+  std::vector<RefinedCrease> creases;
+  std::vector<RefinedCorner> corners;
 
   [[nodiscard]] std::size_t vertex_count() const noexcept { return positions.size(); }
   [[nodiscard]] std::size_t polygon_count() const noexcept { return polygon_offsets.size() - 1; }
