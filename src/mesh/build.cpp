@@ -1,5 +1,6 @@
 // In order: merge repeated corners and check every face alone; match edges; orient; separate fans;
-// write the half-edges. Each step is linear, and each relies on what the ones before it refuse.
+// write the half-edges and what they carry. Each step is linear, and each relies on what the ones
+// before it refuse.
 #include "limn/mesh/build.h"
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "limn/contract.h"
+#include "mesh/attributes.h"
+#include "mesh/counted.h"
 #include "mesh/edge_matching.h"
 #include "mesh/halfedge_assembly.h"
 #include "mesh/mending.h"
@@ -54,6 +57,7 @@ void expect_well_formed(const PolygonSoup& soup) {
   LIMN_EXPECTS(soup.face_offsets.back() == soup.face_vertices.size());
   LIMN_EXPECTS(soup.vertex_lines.empty() || soup.vertex_lines.size() == soup.positions.size());
   LIMN_EXPECTS(soup.face_lines.empty() || soup.face_lines.size() == soup.face_count());
+  LIMN_EXPECTS(soup.face_uvs.empty() || soup.face_uvs.size() == soup.face_vertices.size());
 }
 
 /// Refined positions are single precision and get squared on the graphics card, so a coordinate has
@@ -82,11 +86,13 @@ Result<detail::WorkingFaces> clean_faces(const PolygonSoup& soup, const Names& n
   faces.vertex_count = soup.positions.size();
   faces.offsets.reserve(soup.face_offsets.size());
   faces.vertices.reserve(soup.face_vertices.size());
+  faces.uvs.reserve(soup.face_uvs.size());
   std::vector<std::uint32_t> last_seen_in(faces.vertex_count, kNone);
 
   for (std::uint32_t f = 0; f < soup.face_count(); ++f) {
     const std::size_t begin = faces.vertices.size();
-    for (const std::uint32_t v : soup.face(f)) {
+    for (std::uint32_t c = soup.face_offsets[f]; c < soup.face_offsets[f + 1]; ++c) {
+      const std::uint32_t v = soup.face_vertices[c];
       if (v >= faces.vertex_count) {
         return names.blame_face(f, fmt::format("names vertex {}, counted from 0, but there are {} "
                                                "vertices.",
@@ -94,10 +100,16 @@ Result<detail::WorkingFaces> clean_faces(const PolygonSoup& soup, const Names& n
       }
       if (faces.vertices.size() == begin || faces.vertices.back() != v) {
         faces.vertices.push_back(v);
+        if (!soup.face_uvs.empty()) {
+          faces.uvs.push_back(soup.face_uvs[c]);
+        }
       }
     }
     if (faces.vertices.size() > begin + 1 && faces.vertices.back() == faces.vertices[begin]) {
       faces.vertices.pop_back();
+      if (!faces.uvs.empty()) {
+        faces.uvs.pop_back();
+      }
     }
 
     std::size_t distinct = 0;
@@ -149,14 +161,14 @@ HalfedgeMesh with_positions(HalfedgeMesh mesh, const PolygonSoup& soup,
   return mesh;
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 }  // namespace
 
+using detail::counted;
+
 bool ImportReport::is_mended() const noexcept {
-  return flipped_faces + split_vertices + isolated_vertices + repeated_corners > 0;
+  return flipped_faces + split_vertices + isolated_vertices + repeated_corners + lost_creases +
+             lost_corners + negative_sharpness + filled_uvs + broken_uvs >
+         0;
 }
 
 std::vector<std::string> ImportReport::sentences() const {
@@ -177,6 +189,28 @@ std::vector<std::string> ImportReport::sentences() const {
     result.push_back(counted(repeated_corners,
                              "corner of a face repeated the one before and was merged with it.",
                              "corners of faces repeated the one before and were merged with it."));
+  }
+  if (lost_creases > 0) {
+    result.push_back(counted(lost_creases, "crease tag was left out: it names no edge of the mesh.",
+                             "crease tags were left out: they name no edge of the mesh."));
+  }
+  if (lost_corners > 0) {
+    result.push_back(counted(lost_corners,
+                             "corner tag was left out: it names no vertex of the mesh.",
+                             "corner tags were left out: they name no vertex of the mesh."));
+  }
+  if (negative_sharpness > 0) {
+    result.push_back(counted(negative_sharpness, "sharpness was negative and became 0.",
+                             "values of sharpness were negative and became 0."));
+  }
+  if (filled_uvs > 0) {
+    result.push_back(counted(filled_uvs,
+                             "corner without texture coordinates was given the point 0 0.",
+                             "corners without texture coordinates were given one point, 0 0."));
+  }
+  if (broken_uvs > 0) {
+    result.push_back(counted(broken_uvs, "texture coordinate was no usable number and became 0.",
+                             "texture coordinates were no usable numbers and became 0."));
   }
   for (const std::string& data : unused_data) {
     result.push_back(fmt::format("Not used: {}.", data));
@@ -224,7 +258,14 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
   }
   report.flipped_faces = orientation.flipped_faces;
 
+  // Tags name the file's vertices; from here on they are numbered anew.
+  MeshAttributes attributes;
+  attributes.creases.method = soup.creasing;
+  attributes.corners = soup.corner_rule;
+  attributes.creases.edge_sharpness = detail::edge_sharpness(soup, faces, edges, report);
   const detail::Fans fans = detail::separate_fans(faces, edges);
+  attributes.creases.vertex_sharpness = detail::vertex_sharpness(soup, fans.vertex_sources, report);
+  attributes.texture = detail::texture_coordinates(soup, std::move(faces.uvs), report);
   report.split_vertices = fans.split_vertices;
   report.isolated_vertices = fans.isolated_vertices;
   if (auto size = detail::check_halfedge_limits(faces.vertex_count, edges.edge_corners.size(),
@@ -232,10 +273,11 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
       !size) {
     return with_source(std::move(size.error()));
   }
-  return ImportedMesh{
-      std::make_shared<const ControlMesh>(with_positions(
-          detail::assemble_halfedges(faces.arrays(), edges), soup, fans.vertex_sources)),
-      std::move(report)};
+  return ImportedMesh{std::make_shared<const ControlMesh>(
+                          with_positions(detail::assemble_halfedges(faces.arrays(), edges), soup,
+                                         fans.vertex_sources),
+                          std::move(attributes)),
+                      std::move(report)};
 }
 
 }  // namespace limn

@@ -11,6 +11,7 @@
 
 #include "limn/contract.h"
 #include "limn/mesh/import.h"
+#include "mesh/counted.h"
 #include "mesh/import_limits.h"
 #include "mesh/obj_statements.h"
 #include "regular_file.h"
@@ -41,6 +42,8 @@ void add_face(void* user, tinyobj::index_t* corners, int count) {
                                            : static_cast<std::uint32_t>(soup.positions.size()) -
                                                  static_cast<std::uint32_t>(-index));
   }
+  soup.face_uvs.insert(soup.face_uvs.end(), statements.face_uvs().begin(),
+                       statements.face_uvs().end());
   soup.face_offsets.push_back(static_cast<std::uint32_t>(soup.face_vertices.size()));
   soup.face_lines.push_back(statements.line());
 }
@@ -94,9 +97,9 @@ Result<ImportedMesh> read_and_build(std::string_view text, const std::string& so
     return tl::unexpected<Error>(std::move(encoding.error()));
   }
   detail::UnusedData unused;
-  detail::ObjStatements statements(text, unused);
   PolygonSoup soup;
   soup.source = source;
+  detail::ObjStatements statements(text, soup, unused);
   Reading reading{statements, soup};
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = add_vertex;
@@ -113,6 +116,9 @@ Result<ImportedMesh> read_and_build(std::string_view text, const std::string& so
 
   std::vector<std::string> phrases = unused.phrases();
   if (soup.face_count() == 0) {
+    if (!soup.uvs.empty()) {
+      phrases.push_back(detail::counted(soup.uvs.size(), "texture coordinate"));
+    }
     return fail(ErrorKind::kBadInput, no_faces(soup, phrases), source);
   }
   if (auto indices = check_indices(soup); !indices) {
@@ -120,7 +126,9 @@ Result<ImportedMesh> read_and_build(std::string_view text, const std::string& so
   }
   auto imported = build_control_mesh(soup);
   if (imported) {
-    imported->report.unused_data = std::move(phrases);
+    ImportReport& report = imported->report;
+    report.broken_uvs = statements.broken_uvs();
+    report.unused_data.insert(report.unused_data.begin(), phrases.begin(), phrases.end());
   }
   return imported;
 }

@@ -76,6 +76,9 @@ void flip_faces(const std::vector<std::uint8_t>& is_flipped, WorkingFaces& faces
       const auto begin = faces.offsets[f];
       const auto end = faces.offsets[f + 1];
       std::reverse(faces.vertices.begin() + begin + 1, faces.vertices.begin() + end);
+      if (!faces.uvs.empty()) {
+        std::reverse(faces.uvs.begin() + begin + 1, faces.uvs.begin() + end);
+      }
       std::reverse(edges.corner_edges.begin() + begin, edges.corner_edges.begin() + end);
     }
   }

@@ -12,6 +12,7 @@ namespace limn::detail {
 struct WorkingFaces {
   std::vector<std::uint32_t> offsets{0};
   std::vector<std::uint32_t> vertices;
+  std::vector<std::uint32_t> uvs;  ///< One per corner, or empty; goes wherever its corner goes.
   std::size_t vertex_count = 0;
 
   [[nodiscard]] FaceArrays arrays() const noexcept { return {offsets, vertices, vertex_count}; }

@@ -4,49 +4,34 @@
 #include "mesh/obj_statements.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "limn/mesh/control_mesh.h"
+#include "mesh/obj_tags.h"
+#include "mesh/obj_words.h"
 #include "mesh/parse_number.h"
-#include "mesh/printable.h"
 
 namespace limn::detail {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-/// Takes the first word off `text`; empty at the end and before a comment.
-std::string_view take_word(std::string_view& text) {
-  std::size_t begin = 0;
-  while (begin < text.size() && is_blank(text[begin])) {
-    ++begin;
-  }
-  std::size_t end = begin;
-  while (end < text.size() && !is_blank(text[end])) {
-    ++end;
-  }
-  std::string_view word = text.substr(begin, end - begin);
-  if (word.starts_with('#')) {
-    word = {};
-    end = text.size();
-  }
-  text.remove_prefix(end);
-  return word;
-}
-
-std::string quoted(std::string_view word) {
-  return fmt::format("\"{}\"", printable(word));
+/// Resolves an index to one from 0; kNone where it names nothing. An index may name what comes
+/// later, so those beyond `count` pass.
+std::uint32_t resolve_uv(std::int64_t index, std::size_t count) {
+  const std::int64_t resolved = index > 0 ? index - 1 : static_cast<std::int64_t>(count) + index;
+  return index == 0 || resolved < 0 || resolved >= std::int64_t{kNone}
+             ? kNone
+             : static_cast<std::uint32_t>(resolved);
 }
 
 }  // namespace
 
-ObjStatements::ObjStatements(std::string_view text, UnusedData& unused)
-    : rest_(text), unused_(unused) {
+ObjStatements::ObjStatements(std::string_view text, PolygonSoup& soup, UnusedData& unused)
+    : rest_(text), soup_(soup), unused_(unused) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (rest_.starts_with(byte_order_mark)) {
     rest_.remove_prefix(byte_order_mark.size());
@@ -71,6 +56,11 @@ ObjStatements::int_type ObjStatements::underflow() {
       if (keyword == "fo") {
         statement_[static_cast<std::size_t>(keyword.data() - statement_.data()) + 1] = ' ';
       }
+    } else if (keyword == "vt" || keyword == "t") {
+      if (!(keyword == "t" ? read_tag(arguments) : read_uv(arguments))) {
+        break;
+      }
+      continue;
     } else {
       if (!keyword.empty()) {
         unused_.count(keyword, take_word(arguments));
@@ -160,35 +150,49 @@ bool ObjStatements::check_vertex(std::string_view arguments) {
 }
 
 bool ObjStatements::check_face(std::string_view arguments) {
-  std::size_t corners = 0;
+  face_uvs_.clear();
   for (std::string_view word = take_word(arguments); !word.empty(); word = take_word(arguments)) {
-    // v, v/vt, v/vt/vn or v//vn; only the first is used, but all have to be numbers.
-    std::string_view rest = word;
-    for (int part = 0; part < 3; ++part) {
-      const std::size_t slash = std::min(rest.find('/'), rest.size());
-      const std::string_view index = rest.substr(0, slash);
-      if (part == 0 ? !check_index(word, index)
-                    : !index.empty() && !parse_index(index).has_value()) {
-        return part == 0 ? false
-                         : refuse(word, fmt::format("{} is not a corner of a face; it should read "
-                                                    "like 7, 7/2, 7/2/5 or 7//5.",
-                                                    quoted(word)));
-      }
-      const bool has_more = slash < rest.size();
-      if (has_more && part == 2) {
-        return refuse(word, fmt::format("{} has more than three indices.", quoted(word)));
-      }
-      rest.remove_prefix(std::min(slash + 1, rest.size()));
-      if (!has_more) {
-        break;
-      }
+    if (!check_corner(word)) {
+      return false;
     }
-    ++corners;
   }
-  if (corners < 3) {
-    return refuse(statement_,
-                  fmt::format("A face needs at least three corners; this one has {}.", corners));
+  if (face_uvs_.size() < 3) {
+    return refuse(statement_, fmt::format("A face needs at least three corners; this one has {}.",
+                                          face_uvs_.size()));
   }
+  return true;
+}
+
+/// v, v/vt, v/vt/vn or v//vn; normals are not used, but all have to be numbers.
+bool ObjStatements::check_corner(std::string_view word) {
+  std::string_view rest = word;
+  std::uint32_t uv = kNone;
+  for (int part = 0; part < 3; ++part) {
+    const std::size_t slash = std::min(rest.find('/'), rest.size());
+    const std::string_view text = rest.substr(0, slash);
+    if (part == 0) {
+      if (!check_index(word, text)) {
+        return false;
+      }
+    } else if (!text.empty()) {
+      const std::optional<std::int64_t> index = parse_index(text);
+      if (!index) {
+        return refuse(word, fmt::format("{} is not a corner of a face; it should read like 7, "
+                                        "7/2, 7/2/5 or 7//5.",
+                                        quoted(word)));
+      }
+      uv = part == 1 ? resolve_uv(*index, soup_.uvs.size()) : uv;
+    }
+    const bool has_more = slash < rest.size();
+    if (has_more && part == 2) {
+      return refuse(word, fmt::format("{} has more than three indices.", quoted(word)));
+    }
+    rest.remove_prefix(std::min(slash + 1, rest.size()));
+    if (!has_more) {
+      break;
+    }
+  }
+  face_uvs_.push_back(uv);
   return true;
 }
 
@@ -210,6 +214,49 @@ bool ObjStatements::check_index(std::string_view token, std::string_view index) 
   if (*value > std::numeric_limits<int>::max()) {
     return refuse(token, fmt::format("A face names vertex {}; the most a mesh can have are {}.",
                                      *value, std::numeric_limits<int>::max()));
+  }
+  return true;
+}
+
+/// A second number that is left out is 0; a third one is not used.
+bool ObjStatements::read_uv(std::string_view arguments) {
+  constexpr double largest_uv = 1e18;  // Refined ones are single precision.
+  double numbers[3] = {0.0, 0.0, 0.0};
+  std::size_t count = 0;
+  for (std::string_view word = take_word(arguments); !word.empty(); word = take_word(arguments)) {
+    if (count == std::size(numbers)) {
+      return refuse(word,
+                    "A texture coordinate has two numbers, perhaps three; this one has more.");
+    }
+    if (!parse_number(word, numbers[count])) {
+      return refuse(word, fmt::format("{} is not a number.", quoted(word)));
+    }
+    ++count;
+  }
+  if (count == 0) {
+    return refuse(statement_, "A texture coordinate needs two numbers; this one has none.");
+  }
+  if (numbers[2] != 0.0) {
+    unused_.count_uv_depth();
+  }
+  glm::dvec2 uv(numbers[0], numbers[1]);
+  // Written so that what is not a number fails it too.
+  if (!(std::abs(uv.x) <= largest_uv && std::abs(uv.y) <= largest_uv)) {
+    uv = glm::dvec2(0.0);
+    ++broken_uvs_;
+  }
+  soup_.uvs.push_back(uv);
+  return true;
+}
+
+bool ObjStatements::read_tag(std::string_view arguments) {
+  const TagReading reading = detail::read_tag(arguments, soup_);
+  if (!reading.message.empty()) {
+    return refuse(reading.culprit.empty() ? std::string_view(statement_) : reading.culprit,
+                  reading.message);
+  }
+  if (!reading.is_used) {
+    unused_.count("t", take_word(arguments));
   }
   return true;
 }

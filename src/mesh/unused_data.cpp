@@ -18,7 +18,6 @@ struct Keyword {
 };
 
 constexpr Keyword Keywords[] = {
-    {"vt", "texture coordinate", "texture coordinates"},
     {"vn", "normal", "normals"},
     {"vp", "parameter-space point", "parameter-space points"},
     {"vw", "skin weight", "skin weights"},
@@ -87,10 +86,6 @@ void UnusedData::count(std::string_view keyword, std::string_view argument) {
                                   [&](const Keyword& k) { return k.keyword == keyword; });
   if (known != std::end(Keywords)) {
     add(known->one, known->many);
-  } else if (keyword == "t" && argument == "crease") {
-    add("crease tag", "crease tags");
-  } else if (keyword == "t" && argument == "corner") {
-    add("corner tag", "corner tags");
   } else if (keyword == "t") {
     add_unknown("tag", argument);
   } else {
@@ -104,6 +99,10 @@ void UnusedData::count_weight() {
 
 void UnusedData::count_colour() {
   add("vertex colour", "vertex colours");
+}
+
+void UnusedData::count_uv_depth() {
+  add("third texture coordinate", "third texture coordinates");
 }
 
 std::vector<std::string> UnusedData::phrases() const {

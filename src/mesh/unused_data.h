@@ -11,12 +11,13 @@ namespace limn::detail {
 /// Counts what an OBJ file says and Limn does not read, so that nothing is lost in silence.
 class UnusedData {
  public:
-  /// A statement other than a vertex or a face; `argument` is its first word.
+  /// A statement that is not read; `argument` is its first word.
   void count(std::string_view keyword, std::string_view argument);
   void count_weight();
   void count_colour();
+  void count_uv_depth();
 
-  /// "12 crease tags", "96 texture coordinates", in the order of first appearance.
+  /// "12 normals", "2 line elements", in the order of first appearance.
   [[nodiscard]] std::vector<std::string> phrases() const;
 
  private:

@@ -198,18 +198,20 @@ TEST(ImportObj, NothingIsLostInSilence) {
   const ImportedMesh imported = read(
       "mtllib missing.mtl\no box\n" + Square +
       "v 0 0 1 0.5\nv 1 0 1 0.1 0.2 0.3\nv 1 1 1 1\n"
-      "vt 0 0\nvt 1 1\nvn 0 0 1\nvp 0.5\ng a b\nusemtl red\ns 1\nf 1 2 3 4\ns off\nf 5 6 2 1\n"
+      "vt 0 0 0.5\nvt 1 1\nvn 0 0 1\nvp 0.5\ng a b\nusemtl red\ns 1\nf 1 2 3 4\ns off\nf 5 6 2 1\n"
       "f 6 7 3 2\nl 1 2\nl 2 3\np 1\ncstype bspline\ndeg 3\ncurv 0 1 1 2\nend\nsurf 0 1 0 1 1 2\n"
       "t crease 2/1/0 0 1 2.0\nt crease 2/1/0 1 2 2.0\nt corner 1/1/0 0 3\n"
-      "t interpolateboundary 1/0/0 2\nfoo 1\nfoo 2\nbevel on\n");
+      "t interpolateboundary 1/0/0 0\nt hole 1/0/0 2\nt creasemethod 0/0/1 fancy\nfoo 1\nfoo "
+      "2\nbevel on\n");
   EXPECT_THAT(
       imported.report.unused_data,
       ElementsAre("1 material library", "1 object name", "1 vertex weight", "1 vertex colour",
-                  "2 texture coordinates", "1 normal", "1 parameter-space point",
+                  "1 third texture coordinate", "1 normal", "1 parameter-space point",
                   "1 group statement", "1 material assignment", "2 smoothing group statements",
                   "2 line elements", "1 point element", "3 free-form attributes",
-                  "1 free-form curve", "1 free-form surface", "2 crease tags", "1 corner tag",
-                  "1 \"interpolateboundary\" tag", "2 \"foo\" statements", "1 display attribute"));
+                  "1 free-form curve", "1 free-form surface", "1 \"interpolateboundary\" tag",
+                  "1 \"hole\" tag", "1 \"creasemethod\" tag", "2 \"foo\" statements",
+                  "1 display attribute", "2 texture coordinates"));
   EXPECT_FALSE(imported.report.is_mended());
   EXPECT_EQ(imported.report.sentences().size(), imported.report.unused_data.size());
 }
@@ -270,7 +272,7 @@ TEST(ImportObj, MutationsNeverBreakIt) {
       "# mixed\nmtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0 1\nv 0 1 0\nv 0 0 1\nv 1 0 1 .5 .5 .5\n"
       "v 1 1 1\nv 0 1 1e0\nvt 0 0\nvn 0 0 1\ng a\nusemtl m\nf 4/1/1 3/1/1 2/1/1 1/1/1\n"
       "f 5//1 6//1 \\\n 7//1 8//1\nf 1 2 6 5\nf -7 -6 -2 -3\nf 3 4 8 7\nf 4 1 5\nf 4 5 8\n"
-      "t crease 2/1/0 0 1 2.5\nl 1 2\ns off\n";
+      "t crease 2/1/0 0 1 2.5\nt corner 2/2/0 3 7 1 2e1\nl 1 2\ns off\n";
   ASSERT_TRUE(import_obj(original, "o").has_value());
   const std::string alphabet("0123456789-+./ \t\n\r\\#vftnelxE\0\xFF", 30);
   std::mt19937 random(11);

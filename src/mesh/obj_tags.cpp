@@ -1,0 +1,201 @@
+// A tag says how many integers, numbers and strings follow its name. Only the names that are known
+// are read on, so that what other programs write in a form of their own does no harm.
+#include "mesh/obj_tags.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limn/mesh/control_mesh.h"
+#include "mesh/obj_words.h"
+#include "mesh/parse_number.h"
+
+namespace limn::detail {
+namespace {
+
+constexpr bool is_known(std::string_view name) {
+  return name == "crease" || name == "corner" || name == "interpolateboundary" ||
+         name == "creasemethod";
+}
+
+struct Counts {
+  std::size_t integers = 0;
+  std::size_t numbers = 0;
+  std::size_t strings = 0;
+};
+
+struct Tag {
+  std::string_view name;
+  std::vector<std::int64_t> integers;
+  std::vector<float> numbers;
+  std::vector<std::string_view> strings;
+};
+
+TagReading refused(std::string message, std::string_view culprit = {}) {
+  return {false, std::move(message), culprit};
+}
+
+std::optional<Counts> read_counts(std::string_view word) {
+  std::size_t counts[3];
+  for (std::size_t part = 0; part < 3; ++part) {
+    const std::size_t slash = word.find('/');
+    if ((slash == std::string_view::npos) != (part == 2)) {
+      return std::nullopt;
+    }
+    const std::optional<std::int64_t> count = parse_index(word.substr(0, slash));
+    if (!count || *count < 0) {
+      return std::nullopt;
+    }
+    counts[part] = static_cast<std::size_t>(*count);
+    word.remove_prefix(part == 2 ? word.size() : slash + 1);
+  }
+  return Counts{counts[0], counts[1], counts[2]};
+}
+
+/// Finite: what a float cannot hold never wears off anyway.
+std::optional<float> read_sharpness(std::string_view word) {
+  double value = 0.0;
+  if (!parse_number(word, value) || std::isnan(value)) {
+    return std::nullopt;
+  }
+  const double largest = std::numeric_limits<float>::max();
+  if (std::abs(value) > largest) {
+    return value > 0.0 ? kInfiniteSharpness : -1.0f;
+  }
+  return static_cast<float>(value);
+}
+
+/// Reads the words after the name into `tag`.
+TagReading read_words(std::string_view arguments, Tag& tag) {
+  const std::string_view first = take_word(arguments);
+  const std::optional<Counts> counts = read_counts(first);
+  if (!counts) {
+    return refused(fmt::format("A tag says after its name how many integers, numbers and strings "
+                               "follow, like 2/1/0; this one says {}.",
+                               quoted(first)),
+                   first);
+  }
+  std::size_t found = 0;
+  for (std::string_view word = take_word(arguments); !word.empty(); word = take_word(arguments)) {
+    if (found < counts->integers) {
+      const std::optional<std::int64_t> integer = parse_index(word);
+      if (!integer) {
+        return refused(fmt::format("{} is not an integer.", quoted(word)), word);
+      }
+      tag.integers.push_back(*integer);
+    } else if (found - counts->integers < counts->numbers) {
+      const std::optional<float> number = read_sharpness(word);
+      if (!number) {
+        return refused(fmt::format("{} is not a number.", quoted(word)), word);
+      }
+      tag.numbers.push_back(*number);
+    } else {
+      tag.strings.push_back(word);
+    }
+    ++found;
+  }
+  if (tag.integers.size() != counts->integers || tag.numbers.size() != counts->numbers ||
+      tag.strings.size() != counts->strings) {
+    return refused(
+        fmt::format("This tag announces {} integers, {} numbers and {} strings, but {} "
+                    "{} in all.",
+                    counts->integers, counts->numbers, counts->strings, found,
+                    found == 1 ? "word follows" : "words follow"));
+  }
+  return {true, {}, {}};
+}
+
+/// A vertex that no mesh has, for an index that is out of every range.
+std::uint32_t vertex_of(std::int64_t index) {
+  return index < 0 || index >= std::int64_t{kNone} ? kNone : static_cast<std::uint32_t>(index);
+}
+
+TagReading read_crease(const Tag& tag, PolygonSoup& soup) {
+  const std::size_t n = tag.integers.size();
+  const std::size_t s = tag.numbers.size();
+  const bool are_pairs = n > 2 && n % 2 == 0 && s == n / 2;
+  if (n < 2 || !(s == 1 || s == n - 1 || are_pairs)) {
+    return refused(fmt::format("A crease of {} {} does not go with {} values of sharpness.", n,
+                               n == 1 ? "vertex" : "vertices", s));
+  }
+  for (std::size_t i = 0; i + 1 < n; i += are_pairs ? 2 : 1) {
+    const float sharpness = tag.numbers[s == 1 ? 0 : are_pairs ? i / 2 : i];
+    soup.creases.push_back(
+        {{vertex_of(tag.integers[i]), vertex_of(tag.integers[i + 1])}, sharpness});
+  }
+  return {true, {}, {}};
+}
+
+TagReading read_corner(const Tag& tag, PolygonSoup& soup) {
+  const std::size_t n = tag.integers.size();
+  const std::size_t s = tag.numbers.size();
+  if (n < 1 || !(s == 1 || s == n)) {
+    return refused(fmt::format("{} {} do not go with {} values of sharpness.", n,
+                               n == 1 ? "corner" : "corners", s));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    soup.corners.push_back({vertex_of(tag.integers[i]), tag.numbers[s == 1 ? 0 : i]});
+  }
+  return {true, {}, {}};
+}
+
+/// Of its three values 0 leaves the faces at the boundary out, which Limn does not.
+TagReading read_boundary_rule(const Tag& tag, PolygonSoup& soup) {
+  if (tag.integers.size() != 1) {
+    return refused(fmt::format("The boundary rule is one integer, 0, 1 or 2; here are {}.",
+                               tag.integers.size()));
+  }
+  switch (tag.integers.front()) {
+    case 1:
+      soup.corner_rule = CornerRule::kSharp;
+      return {true, {}, {}};
+    case 2:
+      soup.corner_rule = CornerRule::kSmooth;
+      return {true, {}, {}};
+    default:
+      return {};
+  }
+}
+
+TagReading read_crease_method(const Tag& tag, PolygonSoup& soup) {
+  if (tag.strings.size() != 1) {
+    return refused(fmt::format("The crease method is one word, normal or chaikin; here are {}.",
+                               tag.strings.size()));
+  }
+  if (tag.strings.front() == "chaikin") {
+    soup.creasing = CreasingMethod::kChaikin;
+  } else if (tag.strings.front() == "normal") {
+    soup.creasing = CreasingMethod::kUniform;
+  } else {
+    return {};
+  }
+  return {true, {}, {}};
+}
+
+}  // namespace
+
+TagReading read_tag(std::string_view arguments, PolygonSoup& soup) {
+  Tag tag;
+  tag.name = take_word(arguments);
+  if (!is_known(tag.name)) {
+    return {};
+  }
+  if (TagReading words = read_words(arguments, tag); !words.is_used) {
+    return words;
+  }
+  if (tag.name == "crease") {
+    return read_crease(tag, soup);
+  }
+  if (tag.name == "corner") {
+    return read_corner(tag, soup);
+  }
+  return tag.name == "creasemethod" ? read_crease_method(tag, soup) : read_boundary_rule(tag, soup);
+}
+
+}  // namespace limn::detail
