@@ -2,6 +2,11 @@
 
 #include <glm/vec3.hpp>
 
+// GCC remarks that functions that take or return a vector would change with -mavx. All that do are
+// internal to one library, compiled in one go. (In debug builds
+// it does not listen where a lambda returns one, or one of several `return`s.)
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 // Internal to this folder.
 namespace limn {
 

@@ -5,6 +5,7 @@
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
+#include <glm/geometric.hpp>
 
 #include "limn/contract.h"
 
@@ -52,7 +53,27 @@ UniformHierarchy::UniformHierarchy(const ControlMesh& mesh, int levels, CornerRu
   descriptor.numVertsPerFace = sides.data();
   descriptor.vertIndicesPerFace = vertices.data();
 
+  std::vector<Far::Index> crease_ends;
+  std::vector<float> crease_weights;
+  for (std::size_t e = 0; e < mesh.creases().edge_sharpness.size(); ++e) {
+    for (const std::uint32_t end : mesh.topology().edge_vertices[e]) {
+      crease_ends.push_back(static_cast<Far::Index>(end));
+    }
+    crease_weights.push_back(mesh.creases().edge_sharpness[e]);
+  }
+  descriptor.numCreases = static_cast<int>(crease_weights.size());
+  descriptor.creaseVertexIndexPairs = crease_ends.data();
+  descriptor.creaseWeights = crease_weights.data();
+  std::vector<Far::Index> corner_vertices(mesh.creases().vertex_sharpness.size());
+  std::ranges::generate(corner_vertices, [i = 0]() mutable { return i++; });
+  descriptor.numCorners = static_cast<int>(corner_vertices.size());
+  descriptor.cornerVertexIndices = corner_vertices.data();
+  descriptor.cornerWeights = mesh.creases().vertex_sharpness.data();
+
   Sdc::Options options;
+  options.SetCreasingMethod(mesh.creases().method == CreasingMethod::kChaikin
+                                ? Sdc::Options::CREASE_CHAIKIN
+                                : Sdc::Options::CREASE_UNIFORM);
   options.SetVtxBoundaryInterpolation(corners == CornerRule::kSharp
                                           ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
                                           : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
@@ -91,6 +112,24 @@ std::vector<std::vector<glm::dvec3>> UniformHierarchy::positions(
   return all;
 }
 
+ReferenceLimits UniformHierarchy::limits(std::span<const glm::dvec3> control) const {
+  std::vector<Primvar> last;
+  for (const glm::dvec3& position : positions(control).back()) {
+    last.push_back({position});
+  }
+  std::vector<Primvar> limit(last.size());
+  std::vector<Primvar> tangent(last.size());
+  std::vector<Primvar> other(last.size());
+  const Far::PrimvarRefinerReal<double> refiner(*implementation_->refiner);
+  refiner.Limit(last, limit, tangent, other);
+  ReferenceLimits limits;
+  for (std::size_t v = 0; v < last.size(); ++v) {
+    limits.positions.push_back(limit[v].value);
+    limits.normals.push_back(glm::normalize(glm::cross(tangent[v].value, other[v].value)));
+  }
+  return limits;
+}
+
 std::uint32_t UniformHierarchy::vertex_count(int level) const {
   return static_cast<std::uint32_t>(implementation_->level(level).GetNumVertices());
 }
@@ -114,6 +153,22 @@ std::vector<std::uint32_t> UniformHierarchy::face_edges(int level, std::uint32_t
 std::array<std::uint32_t, 2> UniformHierarchy::edge_vertices(int level, std::uint32_t edge) const {
   const auto ends = implementation_->level(level).GetEdgeVertices(static_cast<int>(edge));
   return {static_cast<std::uint32_t>(ends[0]), static_cast<std::uint32_t>(ends[1])};
+}
+
+std::vector<std::uint32_t> UniformHierarchy::vertex_edges(int level, std::uint32_t vertex) const {
+  return to_vector(implementation_->level(level).GetVertexEdges(static_cast<int>(vertex)));
+}
+
+std::vector<std::uint32_t> UniformHierarchy::vertex_faces(int level, std::uint32_t vertex) const {
+  return to_vector(implementation_->level(level).GetVertexFaces(static_cast<int>(vertex)));
+}
+
+float UniformHierarchy::edge_sharpness(int level, std::uint32_t edge) const {
+  return implementation_->level(level).GetEdgeSharpness(static_cast<int>(edge));
+}
+
+float UniformHierarchy::vertex_sharpness(int level, std::uint32_t vertex) const {
+  return implementation_->level(level).GetVertexSharpness(static_cast<int>(vertex));
 }
 
 std::vector<std::uint32_t> UniformHierarchy::child_faces(int level, std::uint32_t face) const {

@@ -15,8 +15,14 @@
 // OpenSubdiv as the judge of positions and, through its parent-child relations, of connectivity.
 namespace limn::test {
 
-/// A control mesh after 0..levels uniform Catmull-Clark steps, by OpenSubdiv in double precision.
-/// Level 0 has the control mesh's vertex and face numbers.
+/// Vertices of one level on the limit surface, by vertex number.
+struct ReferenceLimits {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::dvec3> normals;  ///< Of length 1, or not finite where the tangents are parallel.
+};
+
+/// A control mesh after 0..levels uniform Catmull-Clark steps, with its creases, by OpenSubdiv in
+/// double precision. Level 0 has the control mesh's vertex and face numbers.
 class UniformHierarchy {
  public:
   UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners);
@@ -28,6 +34,9 @@ class UniformHierarchy {
   /// Positions of all levels from the given ones at level 0: `[level][vertex]`.
   [[nodiscard]] std::vector<std::vector<glm::dvec3>> positions(
       std::span<const glm::dvec3> control) const;
+  /// Limit positions and normals of the last level's vertices. OpenSubdiv takes creases that are
+  /// still semi-sharp there for infinitely sharp ones.
+  [[nodiscard]] ReferenceLimits limits(std::span<const glm::dvec3> control) const;
 
   [[nodiscard]] std::uint32_t vertex_count(int level) const;
   [[nodiscard]] std::uint32_t edge_count(int level) const;
@@ -36,6 +45,13 @@ class UniformHierarchy {
   /// Edge i runs from vertex i of the face to the next.
   [[nodiscard]] std::vector<std::uint32_t> face_edges(int level, std::uint32_t face) const;
   [[nodiscard]] std::array<std::uint32_t, 2> edge_vertices(int level, std::uint32_t edge) const;
+  /// Around a vertex, counter-clockwise: face i lies between edges i and i + 1. A boundary vertex
+  /// has one edge more than faces, the first and the last on the boundary.
+  [[nodiscard]] std::vector<std::uint32_t> vertex_edges(int level, std::uint32_t vertex) const;
+  [[nodiscard]] std::vector<std::uint32_t> vertex_faces(int level, std::uint32_t vertex) const;
+  /// What is left of it at this level; boundary edges are infinitely sharp.
+  [[nodiscard]] float edge_sharpness(int level, std::uint32_t edge) const;
+  [[nodiscard]] float vertex_sharpness(int level, std::uint32_t vertex) const;
   /// What becomes of something of this level in the next one. Child face i lies at corner i.
   [[nodiscard]] std::vector<std::uint32_t> child_faces(int level, std::uint32_t face) const;
   [[nodiscard]] std::uint32_t child_of_face(int level, std::uint32_t face) const;
