@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+namespace limn::bench {
+
+/// How much is measured: all, or what a minute allows.
+enum class Extent { kAll, kQuick };
+
+// Every file of cases registers its own with Google Benchmark. The names are paths that the report
+// reads: subject/.../program. All runs of all cases are made in random order.
+
+/// `uniform/MESH/LEVELS/PROGRAM`: Limn and peers to the same finest mesh.
+void register_uniform(Extent extent);
+/// `agreement/MESH/LEVELS/PROGRAM`: that they compute the same.
+void register_agreement(Extent extent);
+/// `memory/MESH/LEVELS/PROGRAM`: peak memory.
+void register_memory(Extent extent);
+/// `adaptive/LAYOUT/PERCENT/DEPTH/PROGRAM`: paintings of the largest asteroid.
+void register_adaptive(Extent extent);
+/// `bounds/KIND/THREADS`: how fast the machine copies and hands out memory.
+void register_bounds(Extent extent);
+
+/// A case of `repetitions` runs, each of which sets its own time (`State::SetIterationTime`).
+void add_case(const std::string& name, int repetitions, std::function<void(benchmark::State&)> run);
+
+/// Seconds that `work` takes.
+[[nodiscard]] double seconds_of(const std::function<void()>& work);
+
+/// Ends a run as failed: a program that computes something else has no time worth telling. The
+/// program as a whole fails then.
+void fail_run(benchmark::State& state, const std::string& why);
+[[nodiscard]] bool has_failed();
+
+}  // namespace limn::bench

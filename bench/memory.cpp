@@ -1,0 +1,138 @@
+#include "memory.h"
+
+#include <malloc.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <new>
+
+#include <tbb/global_control.h>
+
+#include "peers/refiner.h"
+
+namespace limn::bench {
+namespace {
+
+constexpr int kMapFrom = 32 << 20;  // The largest threshold that glibc takes.
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+constexpr std::size_t kHugeFrom = 4 * kHugePage;
+
+bool huge_pages_for_all = false;
+
+/// A figure of /proc/self/status in bytes, 0 where it is not there.
+std::size_t status_bytes(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (word == name + ":") {
+      std::size_t kibibytes = 0;
+      status >> kibibytes;
+      return kibibytes << 10;
+    }
+  }
+  return 0;
+}
+
+/// Lets VmHWM start again from what is held now.
+void reset_peak() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+}  // namespace
+
+void settle_allocator() {
+  mallopt(M_MMAP_THRESHOLD, kMapFrom);
+  mallopt(M_TRIM_THRESHOLD, 2 * kMapFrom);
+}
+
+void return_free_memory() {
+  malloc_trim(0);
+}
+
+KeepMemory::KeepMemory() {
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+}
+
+KeepMemory::~KeepMemory() {
+  constexpr int kDefaultMaps = 65536;
+  mallopt(M_MMAP_MAX, kDefaultMaps);
+  settle_allocator();
+  return_free_memory();
+}
+
+PageScope::PageScope(Pages pages) : pages_(pages) {
+  if (pages_ == Pages::kSmall) {
+    prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
+  }
+  huge_pages_for_all = pages_ == Pages::kHuge;
+}
+
+PageScope::~PageScope() {
+  if (pages_ == Pages::kSmall) {
+    prctl(PR_SET_THP_DISABLE, 0, 0, 0, 0);
+  }
+  huge_pages_for_all = false;
+}
+
+std::size_t measure_peak(const std::string& program, const std::string& mesh, int levels) {
+  const std::string command = "/proc/" + std::to_string(getpid()) + "/exe --measure-peak " +
+                              program + " " + mesh + " " + std::to_string(levels);
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+  unsigned long long peak = 0;
+  if (pipe == nullptr || std::fscanf(pipe.get(), "%llu", &peak) != 1) {
+    return 0;
+  }
+  return static_cast<std::size_t>(peak);
+}
+
+int print_peak(const std::string& program, const std::string& mesh, int levels) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const std::unique_ptr<Refiner> refiner = make_refiner(program, control_mesh(mesh));
+  refiner->prepare();
+  return_free_memory();
+  reset_peak();
+  const std::size_t before = status_bytes("VmRSS");
+  refiner->refine(levels);
+  const std::size_t peak = status_bytes("VmHWM");
+  if (before == 0 || peak <= before ||
+      refiner->counts() != uniform_counts(control_mesh(mesh), levels)) {
+    return 1;
+  }
+  std::printf("%zu\n", peak - before);
+  return 0;
+}
+
+}  // namespace limn::bench
+
+// Every block of the program and of the libraries linked into it goes through here, so that peers
+// can be given huge pages too. Blocks that ask for an alignment, as Limn's large ones do, do not.
+void* operator new(std::size_t bytes) {
+  using limn::bench::kHugeFrom;
+  using limn::bench::kHugePage;
+  void* memory = nullptr;
+  if (limn::bench::huge_pages_for_all && bytes >= kHugeFrom) {
+    memory = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
+    if (memory != nullptr) {
+      madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
+    }
+  } else {
+    memory = std::malloc(bytes == 0 ? 1 : bytes);
+  }
+  if (memory == nullptr) {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace limn::bench {
+
+/// Fixes glibc's allocator at the settings that its own adjustment ends at once large blocks have
+/// been freed (blocks from 32 MiB are mapped one by one), so that no run depends on those before
+/// it. Call it first.
+void settle_allocator();
+
+/// Gives what is free back to the system: the next run takes its memory anew and pays for it.
+void return_free_memory();
+
+/// While it lives, freed memory stays with the process and is taken again: the nearest a program
+/// without a way of its own comes to refining into memory it already has.
+class KeepMemory {
+ public:
+  KeepMemory();
+  ~KeepMemory();
+  KeepMemory(const KeepMemory&) = delete;
+  KeepMemory& operator=(const KeepMemory&) = delete;
+};
+
+/// The pages that large blocks come on.
+enum class Pages {
+  kOwnChoice,  ///< As the program asks: huge ones for Limn, 4 KiB for peers where the kernel's
+               ///< setting for transparent huge pages is `madvise`.
+  kSmall,      ///< 4 KiB, whatever the program asks.
+  kHuge,       ///< 2 MiB for every block from 8 MiB, also of programs that do not ask.
+};
+
+/// Sets the pages of what is allocated while it lives.
+class PageScope {
+ public:
+  explicit PageScope(Pages pages);
+  ~PageScope();
+  PageScope(const PageScope&) = delete;
+  PageScope& operator=(const PageScope&) = delete;
+
+ private:
+  Pages pages_;
+};
+
+/// Peak memory of one uniform refinement over what the process held before it, in bytes, as the
+/// kernel counts it (VmHWM). Measured in a process of its own. 0 where that fails.
+[[nodiscard]] std::size_t measure_peak(const std::string& program, const std::string& mesh,
+                                       int levels);
+
+/// The part of `measure_peak` in that process, which `main` hands over to: prints the peak.
+int print_peak(const std::string& program, const std::string& mesh, int levels);
+
+}  // namespace limn::bench

@@ -1,0 +1,68 @@
+// OpenMesh's subdivider refines a mesh in place, so each run starts from a copy. Its rule at
+// boundaries is not Catmull-Clark's: closed meshes only.
+#include <optional>
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
+
+#include "limn/contract.h"
+#include "peers/refiner.h"
+
+namespace limn::bench {
+namespace {
+
+/// Float positions and nothing that the subdivider does not need.
+struct Traits : OpenMesh::DefaultTraits {
+  VertexAttributes(OpenMesh::Attributes::None);
+  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+  EdgeAttributes(OpenMesh::Attributes::None);
+  FaceAttributes(OpenMesh::Attributes::None);
+};
+using Mesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
+
+class OpenMeshRefiner final : public Refiner {
+ public:
+  explicit OpenMeshRefiner(const ControlMesh& mesh) {
+    LIMN_EXPECTS(mesh.is_closed());
+    for (const glm::vec3 p : mesh.positions()) {
+      control_.add_vertex({p.x, p.y, p.z});
+    }
+    std::vector<OpenMesh::VertexHandle> corners;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      corners.clear();
+      for (const std::uint32_t vertex : mesh.face(f)) {
+        corners.emplace_back(static_cast<int>(vertex));
+      }
+      control_.add_face(corners);
+    }
+  }
+
+  void prepare() override { mesh_ = control_; }
+  void refine(int levels) override {
+    OpenMesh::Subdivider::Uniform::CatmullClarkT<Mesh, float> subdivider;
+    LIMN_EXPECTS(subdivider(*mesh_, static_cast<std::size_t>(levels)));
+  }
+  void release() override { mesh_.reset(); }
+
+  [[nodiscard]] Counts counts() const override { return {mesh_->n_vertices(), mesh_->n_faces()}; }
+  [[nodiscard]] std::vector<glm::vec3> positions() const override {
+    std::vector<glm::vec3> values;
+    for (const OpenMesh::VertexHandle vertex : mesh_->vertices()) {
+      const Mesh::Point& p = mesh_->point(vertex);
+      values.emplace_back(p[0], p[1], p[2]);
+    }
+    return values;
+  }
+
+ private:
+  Mesh control_;
+  std::optional<Mesh> mesh_;
+};
+
+}  // namespace
+
+std::unique_ptr<Refiner> make_openmesh(const ControlMesh& mesh) {
+  return std::make_unique<OpenMeshRefiner>(mesh);
+}
+
+}  // namespace limn::bench

@@ -1,0 +1,35 @@
+"""What cases are called in tables and plots, in the order they are shown."""
+
+PROGRAMS = {
+    "limn": "Limn",
+    "limn_retained": "Limn, into a retained result",
+    "limn_2_threads": "Limn, 2 threads",
+    "limn_retained_2_threads": "Limn, into a retained result, 2 threads",
+    "limn_small_pages": "Limn, 4 KiB pages",
+    "opensubdiv": "OpenSubdiv Far",
+    "opensubdiv_kept_memory": "OpenSubdiv Far, memory kept by the allocator",
+    "opensubdiv_huge_pages": "OpenSubdiv Far, 2 MiB pages",
+    "openmesh": "OpenMesh CatmullClarkT",
+    "cgal": "CGAL CatmullClark_subdivision",
+}
+
+BOUNDS = {
+    "fill": "fill memory touched before",
+    "copy": "copy (`memcpy`) memory touched before",
+    "first_touch_2_mib": "fill fresh memory, 2 MiB pages",
+    "first_touch_4_kib": "fill fresh memory, 4 KiB pages",
+}
+
+LAYOUTS = {"patches": "twelve patches", "scattered": "scattered faces"}
+
+# The mesh that the short tables and the plot are about, and its levels.
+MAIN = ("asteroid_15k", 4)
+# The mesh of the paintings, and the levels it is refined uniformly beside them.
+PAINTED = ("asteroid_246k", 2)
+
+
+def works(results):
+    """(mesh, levels) of all uniform cases, the main one's family first."""
+    found = {(case.path[1], int(case.path[2])) for case in results.group("uniform")}
+    return sorted(found, key=lambda work: (not work[0].startswith("asteroid"), work[0] != MAIN[0],
+                                           -work[1] if work[0].startswith("asteroid") else 0, work))

@@ -1,0 +1,211 @@
+"""The page of tables. A section whose cases were not run is left out."""
+
+from names import BOUNDS, LAYOUTS, MAIN, PAINTED, PROGRAMS, works
+
+
+def page(results):
+    sections = [opening(results), at_a_glance(results), uniform(results), memory(results),
+                adaptive(results), machine_bounds(results), agreement(results), method(results)]
+    return "\n\n".join(section for section in sections if section) + "\n"
+
+
+def table(head, rows, words=1):
+    """Markdown; all columns but the first `words` to the right."""
+    lines = [head, ["---"] * words + ["---:"] * (len(head) - words)] + rows
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def times(factor):
+    """A ratio that is better the larger it is; what is below 1 is said aloud."""
+    text = f"{factor:.0f}×" if factor >= 10 else f"{factor:.1f}×" if factor >= 1 else f"{factor:.2f}×"
+    return text if factor >= 0.995 else f"**{text} (behind)**"
+
+
+def milliseconds(case):
+    low, high = (1e3 * bound(case.times) for bound in (min, max))
+    return f"{1e3 * case.seconds:.1f} ({low:.1f} to {high:.1f})"
+
+
+def millions(number):
+    return f"{number / 1e6:.2f}"
+
+
+def opening(results):
+    machine = results.machine
+    return f"""# Performance
+
+Limn and its peers, measured by `scripts/bench.sh` in one run of one program on the same meshes, and written by it. Read the ratios: they carry over to other machines better
+than times do. How it was measured stands [at the end](#how-it-is-measured).
+
+| | |
+|---|---|
+| Processor | {machine["processor"]} (family {machine["processor_family"]}), {machine["cores"]} cores |
+| Memory | {machine["memory"]}, transparent huge pages: {chosen(machine["huge_pages"])} |
+| System | {machine["system"]} |
+| GPU | {gpu(results)} |
+| Compiler | {machine["compiler"]}, release build |
+| Peers | OpenSubdiv {machine["opensubdiv"]}, OpenMesh {machine["openmesh"]}, CGAL {machine["cgal"]}, from Debian 12 |
+| Date | {machine["date"][:10]} |"""
+
+
+def chosen(setting):
+    """The word in brackets of a kernel setting."""
+    return setting[setting.find("[") + 1:setting.find("]")] if "[" in setting else setting
+
+
+def gpu(results):
+    labels = {case.label for case in results.group("picking") if case.label}
+    if not labels:
+        return "none used"
+    return ", ".join("none (Mesa llvmpipe)" if "llvmpipe" in label else label
+                     for label in sorted(labels))
+
+
+def at_a_glance(results):
+    peer = results.get("uniform", *MAIN, "opensubdiv")
+    if not peer:
+        return ""
+    rows = []
+    for name, text in PROGRAMS.items():
+        case = results.get("uniform", *MAIN, name)
+        if case:
+            rows.append([text, f"{case.faces_per_second / 1e6:.1f}",
+                         times(peer.seconds / case.seconds) if name.startswith("limn")
+                         else f"{peer.seconds / case.seconds:.2f}×"])
+    return f"""## At a glance
+
+{thousands(results, MAIN[0])} quads refined uniformly {MAIN[1]} times, to {peer.counters["faces"]:,.0f}; one thread where nothing else is said.
+
+{table(["", "million faces a second", "OpenSubdiv Far's rate"], rows)}
+
+![Rates, memory and the cost of paintings](performance.svg)"""
+
+
+def thousands(results, mesh):
+    case = next(case for case in results.group("uniform", mesh))
+    return f"{case.counters['faces'] / 4 ** int(case.path[2]):,.0f}"
+
+
+def uniform(results):
+    rows = []
+    for mesh, levels in works(results):
+        peer = results.get("uniform", mesh, levels, "opensubdiv")
+        first = True
+        for name, text in PROGRAMS.items():
+            case = results.get("uniform", mesh, levels, name)
+            if not case:
+                continue
+            what = f"`{mesh}`, {levels} levels, {millions(case.counters['faces'])} M faces"
+            rows.append([what if first else "", text, milliseconds(case),
+                         f"{case.faces_per_second / 1e6:.2f}",
+                         times(peer.seconds / case.seconds) if peer and name.startswith("limn")
+                         else ""])
+            first = False
+    if not rows:
+        return ""
+    head = ["mesh", "program", "ms: median (least to most)", "M faces/s", "against OpenSubdiv"]
+    return f"""## Uniform refinement
+
+Topology and positions of all levels, in single precision, from the control mesh in each program's own form. The programs start without memory for the result, which they take from
+the system while the clock runs, unless it is said that they keep it.
+
+{table(head, rows, words=2)}"""
+
+
+def memory(results):
+    programs = [name for name in PROGRAMS
+                if any(case.path[3] == name for case in results.group("memory"))]
+    rows = []
+    for mesh, levels in sorted({(case.path[1], case.path[2]) for case in results.group("memory")},
+                               key=lambda work: -int(work[1])):
+        cases = [results.get("memory", mesh, levels, name) for name in programs]
+        rows.append([f"`{mesh}`, {levels} levels"] +
+                    [f"{case.peak_per_face:.0f}" if case else "" for case in cases])
+    if not rows:
+        return ""
+    return f"""## Memory
+
+Peak bytes an output face, over what the process held before: its resident set as the kernel counts it, in a process of its own. What the program keeps of the control mesh
+counts for no one.
+
+{table(["mesh"] + [PROGRAMS[name] for name in programs], rows)}"""
+
+
+def adaptive(results):
+    rows = []
+    for layout, text in LAYOUTS.items():
+        for case in sorted(results.group("adaptive", layout),
+                           key=lambda case: (int(case.path[2]), int(case.path[3]))):
+            reference = results.get("uniform", *PAINTED, case.path[4])
+            if not reference:
+                continue
+            ratio = case.nanoseconds_per_face / reference.nanoseconds_per_face
+            rows.append([f"{case.path[2]} % in {text}" if layout == "patches"
+                         else f"{case.path[2]} % as {text}",
+                         case.path[3], PROGRAMS[case.path[4]], millions(case.counters["faces"]),
+                         milliseconds(case), f"{case.nanoseconds_per_face:.1f}", f"{ratio:.2f}"])
+    if not rows:
+        return ""
+    head = ["painted", "depth", "program", "M faces", "ms: median (least to most)", "ns a face",
+            "uniform = 1"]
+    return f"""## Paintings
+
+`{PAINTED[0]}` painted in part, from legal labels to the refined mesh, one thread. The last column is the time an output face beside that of uniform refinement of the same mesh by
+{PAINTED[1]} levels, under the same conditions: 1 says that the cost follows the output.
+
+{table(head, rows)}"""
+
+
+def machine_bounds(results):
+    rates = {}
+    for case in results.group("bounds"):
+        rates[case.path[1], case.path[2]] = case.counters["written_bytes"] / case.seconds / 1e9
+    if not rates:
+        return ""
+    rows = [[text[0].upper() + text[1:], "",
+             *(f"{rates[kind, threads]:.1f}" if (kind, threads) in rates else "" for threads in "12")]
+            for kind, text in BOUNDS.items()]
+    for one, two in (("limn", "limn_2_threads"), ("limn_retained", "limn_retained_2_threads")):
+        cases = [results.get("uniform", *MAIN, name) for name in (one, two)]
+        if any(cases):
+            size = next(case for case in cases if case).counters
+            rows.append([f"{PROGRAMS[one]}: the refined mesh",
+                         f"{size['result_bytes'] / size['faces']:.0f}",
+                         *(f"{case.counters['result_bytes'] / case.seconds / 1e9:.1f}" if case else ""
+                           for case in cases)])
+    return f"""## Against the machine
+
+Gigabytes written a second. A refinement can be no faster than its result is written; it also writes the levels before the last, and reads them.
+
+{table(["", "bytes a face", "1 thread", "2 threads"], rows)}"""
+
+
+def agreement(results):
+    rows = [[f"`{case.path[1]}`, {case.path[2]} levels", PROGRAMS[case.path[3]],
+             f"{case.counters['distance']:.1e}"] for case in results.group("agreement")]
+    if not rows:
+        return ""
+    return f"""## They compute the same
+
+The largest distance between a vertex of Limn's and the nearest of the peer's, and the other way round, in diagonals of the control mesh. The run fails beyond 1e-5, and wherever a program's numbers
+of vertices or faces differ from those of uniform Catmull-Clark.
+
+{table(["mesh", "peer", "largest distance"], rows, words=2)}"""
+
+
+def method(results):
+    del results
+    return """## How it is measured
+
+- Every case is run several times; all runs of all cases are made in random order, so that a machine that speeds up or slows down does so for all. Times are medians, ratios are those of medians
+  of the same run.
+- The asteroids are closed quad meshes of 15,360, 61,440 and 245,760 faces that the program makes itself; one vertex in 32 is extraordinary. The others are Limn's bundled meshes. OpenMesh has
+  other rules at boundaries and CGAL is kept to the same meshes, so both are measured on closed ones.
+- On the clock is what has to be done for each refinement. Off it is what is done once a control mesh: Limn's flat topology, OpenSubdiv's base level, the copy of the mesh
+  that OpenMesh and CGAL then refine in place. So is freeing the result.
+- OpenSubdiv is asked for the last level without full topology; positions are interpolated level by level between two buffers. It, OpenMesh and CGAL compute on one thread here, as they come.
+- *Fresh* memory: before each run everything freed is given back to the system (`malloc_trim`), and the allocator's thresholds are fixed where glibc's own adjustment would take them. So every
+  program pays for its page faults. Limn asks for huge pages, which is part of how it is made; the rows on other pages tell what that is worth, for it and for
+  OpenSubdiv.
+- *Kept* memory: one refinement is made before the clock starts. Limn refines into the result it has; for OpenSubdiv, which has no such way, the allocator keeps all memory.
+- Run `scripts/bench.sh` again on a quiet machine to measure anew; `scripts/bench.sh --quick` takes a minute and writes nothing here."""
