@@ -1,56 +1,38 @@
-// Two lazy heaps hold the candidates: `near_leaf_` the illegal vertices beside one of valence 1,
-// and `all_` every illegal vertex. An entry is (valence, cost, vertex) as they were when it was
-// pushed; on top of a heap it counts only if they still are. A relabelled vertex v changes the
-// faces around it; through them the state and the cost of their vertices; through a changed state
-// the valence of that vertex's neighbours; and through a valence that becomes or stops being 1
-// their neighbours' candidacy. Only what changed is pushed again, so the whole takes O(n log n) for
-// bounded valence.
+// A relabelled vertex v changes the zeros of the quads around it; through them the state and the
+// cost of their corners; through a changed state the valence of that vertex's neighbours; and
+// through a valence that becomes or stops being 1 their neighbours' candidacy. Only what changed is
+// queued anew, so a step costs a constant for bounded valence. At a million vertices the time goes
+// into fetching them: what a step reads of a vertex is one run of spokes and one small record, its
+// counters a byte each unless some vertex has too many edges for that.
 #include "limn/subdivision/legalisation.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
-#include <queue>
-#include <tuple>
 
 #include "limn/contract.h"
+#include "limn/mesh/large_array.h"
+#include "subdivision/legalisation_queue.h"
+#include "subdivision/legalisation_rings.h"
 #include "subdivision/non_quads.h"
-#include "subdivision/surroundings.h"
 
 namespace limn {
 namespace {
 
-struct Candidate {
-  std::uint32_t valence;
-  std::uint32_t cost;
-  std::uint32_t vertex;
+using Candidate = CandidateQueue::Candidate;
 
-  /// Highest valence first, then lowest cost, then lowest index.
-  [[nodiscard]] bool is_worse_than(const Candidate& other) const {
-    return std::tuple(other.valence, cost, vertex) > std::tuple(valence, other.cost, other.vertex);
-  }
-};
-
-struct IsWorse {
-  bool operator()(const Candidate& a, const Candidate& b) const { return a.is_worse_than(b); }
-};
-
-using Heap = std::priority_queue<Candidate, std::vector<Candidate>, IsWorse>;
-
+/// `Count` holds the number of edges of any vertex of the mesh.
+template <class Count>
 class Greedy {
  public:
-  Greedy(const ControlMesh& mesh, VertexLabels labels)
-      : topology_(&mesh.topology()),
-        mesh_(&mesh),
+  Greedy(const ControlMesh& mesh, const SpokeRings& rings, VertexLabels labels)
+      : mesh_(&mesh),
+        rings_(&rings),
         labels_(std::move(labels)),
-        zeros_(mesh.face_count(), 0),
-        vertices_(mesh.vertex_count()) {
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-      if (sides_of(*topology_, f) == 4) {
-        for (const std::uint32_t v : corners_of(*topology_, f)) {
-          zeros_[f] = static_cast<std::uint8_t>(zeros_[f] + (labels_[v] == 0 ? 1 : 0));
-        }
-        count_face(f, +1);
-      }
+        vertices_(mesh.vertex_count()),
+        queue_(mesh.vertex_count()) {
+    for (std::uint32_t v = 0; v < labels_.size(); ++v) {
+      count_quads_around(v);
     }
     push_changed();
   }
@@ -59,77 +41,89 @@ class Greedy {
   [[nodiscard]] VertexLabels take_labels() { return std::move(labels_); }
 
   /// The vertex to relabel next, if any is illegal.
-  [[nodiscard]] std::optional<LegalisationStep> best() {
-    for (Heap* heap : {&near_leaf_, &all_}) {
-      while (!heap->empty()) {
-        const Candidate top = heap->top();
-        if (is_current(top) && (heap == &all_ || vertices_[top.vertex].leaf_neighbours > 0)) {
-          return LegalisationStep{top.vertex, top.valence, top.cost};
-        }
-        heap->pop();
-      }
-    }
-    return std::nullopt;
+  [[nodiscard]] std::optional<Candidate> best() {
+    return queue_.first([&](const Candidate& candidate) {
+      const Vertex& vertex = vertices_[candidate.vertex];
+      return vertex.place == CandidateQueue::kInHeap && rank_of(vertex) == candidate.rank;
+    });
   }
 
   void relabel(std::uint32_t v) {
-    risen_.assign(1, v);
     labels_[v] = 1;
-    raise_non_quads(*mesh_, labels_, risen_);
+    risen_.assign(1, v);
+    if (!mesh_->is_all_quads()) {
+      raise_non_quads(*mesh_, labels_, risen_);
+    }
     for (const std::uint32_t w : risen_) {
-      // Out of the faces' counts with the old number of zeros, in again with the new one.
-      for (const std::uint32_t corner : corners_around(*topology_, w)) {
-        const std::uint32_t f = topology_->corner_faces[corner];
-        if (sides_of(*topology_, f) == 4) {
-          count_face(f, -1);
-          --zeros_[f];
-          count_face(f, +1);
-        }
-      }
+      raise(w);
     }
     push_changed();
   }
 
  private:
   struct Vertex {
-    std::uint32_t illegal_faces = 0;    ///< Quads around it with exactly two zeros.
-    std::uint32_t cost = 0;             ///< Quads around it with exactly three zeros.
-    std::uint32_t valence = 0;          ///< Illegal neighbours, one for each mesh edge.
-    std::uint32_t leaf_neighbours = 0;  ///< Illegal neighbours of valence 1, likewise.
-    bool is_illegal = false;
-    bool is_leaf = false;  ///< Illegal and of valence 1.
-    bool is_changed = false;
+    Count illegal_quads = 0;    ///< Quads around it with exactly two zeros.
+    Count cost = 0;             ///< Quads around it with exactly three zeros.
+    Count valence = 0;          ///< Illegal neighbours, one for each mesh edge.
+    Count leaf_neighbours = 0;  ///< Illegal neighbours of valence 1, likewise.
+    CandidateQueue::Place place = CandidateQueue::kNowhere;
+    bool is_zero : 1 = false;
+    bool is_illegal : 1 = false;
+    bool is_leaf : 1 = false;  ///< Illegal and of valence 1.
+    bool is_changed : 1 = false;
   };
 
-  [[nodiscard]] bool is_current(const Candidate& candidate) const {
-    const Vertex& vertex = vertices_[candidate.vertex];
-    return vertex.is_illegal && vertex.valence == candidate.valence &&
-           vertex.cost == candidate.cost;
+  static void add(Count& count, int amount) { count = static_cast<Count>(count + amount); }
+
+  [[nodiscard]] static CandidateRank rank_of(const Vertex& vertex) {
+    return {vertex.leaf_neighbours > 0, vertex.valence, vertex.cost};
   }
 
-  void mark(std::uint32_t v) {
-    if (!vertices_[v].is_changed) {
-      vertices_[v].is_changed = true;
+  void mark(std::uint32_t v, Vertex& vertex) {
+    if (!vertex.is_changed) {
+      vertex.is_changed = true;
       changed_.push_back(v);
     }
   }
 
-  /// Adds (+1) or takes back (-1) what a quad contributes to its vertices.
-  void count_face(std::uint32_t f, int sign) {
-    if (zeros_[f] != 2 && zeros_[f] != 3) {
-      return;
-    }
-    for (const std::uint32_t v : corners_of(*topology_, f)) {
-      Vertex& vertex = vertices_[v];
-      std::uint32_t& counter = zeros_[f] == 2 ? vertex.illegal_faces : vertex.cost;
-      counter = static_cast<std::uint32_t>(static_cast<int>(counter) + sign);
-      mark(v);
+  void count_quads_around(std::uint32_t v) {
+    Vertex& vertex = vertices_[v];
+    vertex.is_zero = labels_[v] == 0;
+    for_each_quad(rings_->of(v), [&](std::uint32_t a, std::uint32_t diagonal, std::uint32_t b) {
+      const int zeros =
+          (labels_[v] == 0) + (labels_[a] == 0) + (labels_[diagonal] == 0) + (labels_[b] == 0);
+      add(vertex.illegal_quads, zeros == 2);
+      add(vertex.cost, zeros == 3);
+    });
+    if (vertex.is_zero && vertex.illegal_quads > 0) {
+      mark(v, vertex);
     }
   }
 
-  /// Brings valences and leaves up to date with the changed vertices, then offers them anew.
+  /// Takes a zero away from the quads around v.
+  void raise(std::uint32_t v) {
+    Vertex& vertex = vertices_[v];
+    vertex.is_zero = false;
+    mark(v, vertex);
+    for_each_quad(rings_->of(v), [&](std::uint32_t a, std::uint32_t diagonal, std::uint32_t b) {
+      Vertex* const corners[] = {&vertex, &vertices_[a], &vertices_[diagonal], &vertices_[b]};
+      const int zeros = corners[1]->is_zero + corners[2]->is_zero + corners[3]->is_zero;
+      if (zeros == 0) {
+        return;
+      }
+      for (Vertex* const corner : corners) {
+        add(corner->cost, (zeros == 3) - (zeros == 2));
+        add(corner->illegal_quads, (zeros == 2) - (zeros == 1));
+      }
+      mark(a, *corners[1]);
+      mark(diagonal, *corners[2]);
+      mark(b, *corners[3]);
+    });
+  }
+
+  /// Brings valences and leaves up to date with the changed vertices, then queues them anew.
   void push_changed() {
-    // Whatever changes on the way is appended to `changed_`, and offered in the end as well.
+    // Whatever changes on the way is appended to `changed_`, and queued in the end as well.
     const std::size_t counted = changed_.size();
     for (std::size_t i = 0; i < counted; ++i) {
       update_legality(changed_[i]);
@@ -141,10 +135,10 @@ class Greedy {
       Vertex& vertex = vertices_[v];
       vertex.is_changed = false;
       if (vertex.is_illegal) {
-        all_.push({vertex.valence, vertex.cost, v});
-        if (vertex.leaf_neighbours > 0) {
-          near_leaf_.push({vertex.valence, vertex.cost, v});
-        }
+        vertex.place = queue_.move(v, vertex.place, rank_of(vertex));
+      } else if (vertex.place != CandidateQueue::kNowhere) {
+        queue_.leave(v, vertex.place);
+        vertex.place = CandidateQueue::kNowhere;
       }
     }
     changed_.clear();
@@ -152,16 +146,17 @@ class Greedy {
 
   void update_legality(std::uint32_t v) {
     Vertex& vertex = vertices_[v];
-    const bool is_illegal = labels_[v] == 0 && vertex.illegal_faces > 0;
+    const bool is_illegal = vertex.is_zero && vertex.illegal_quads > 0;
     if (is_illegal == vertex.is_illegal) {
       return;
     }
     vertex.is_illegal = is_illegal;
-    illegal_count_ = is_illegal ? illegal_count_ + 1 : illegal_count_ - 1;
-    for_each_neighbour(*topology_, v, [&](std::uint32_t w) {
-      vertices_[w].valence += is_illegal ? 1u : ~0u;
-      mark(w);
-    });
+    illegal_count_ += is_illegal ? 1 : ~std::size_t{0};
+    for (const Spoke& spoke : rings_->of(v)) {
+      Vertex& neighbour = vertices_[spoke.neighbour];
+      add(neighbour.valence, is_illegal ? 1 : -1);
+      mark(spoke.neighbour, neighbour);
+    }
   }
 
   void update_leaf(std::uint32_t v) {
@@ -171,42 +166,37 @@ class Greedy {
       return;
     }
     vertex.is_leaf = is_leaf;
-    for_each_neighbour(*topology_, v, [&](std::uint32_t w) {
-      vertices_[w].leaf_neighbours += is_leaf ? 1u : ~0u;
-      mark(w);
-    });
+    for (const Spoke& spoke : rings_->of(v)) {
+      Vertex& neighbour = vertices_[spoke.neighbour];
+      add(neighbour.leaf_neighbours, is_leaf ? 1 : -1);
+      mark(spoke.neighbour, neighbour);
+    }
   }
 
-  const FlatTopology* topology_;
   const ControlMesh* mesh_;
+  const SpokeRings* rings_;
   VertexLabels labels_;
-  std::vector<std::uint8_t> zeros_;  ///< Zero labels of each quad.
-  std::vector<Vertex> vertices_;
+  LargeArray<Vertex> vertices_;
   std::vector<std::uint32_t> changed_;
   std::vector<std::uint32_t> risen_;
-  Heap near_leaf_;
-  Heap all_;
+  CandidateQueue queue_;
   std::size_t illegal_count_ = 0;
 };
 
-}  // namespace
+constexpr const char* kStage = "Removing illegal vertices";
 
-Result<Legalisation> legalise_greedy(const ControlMesh& mesh, VertexLabels labels, NonQuadRule,
-                                     Progress& progress) {
-  LIMN_EXPECTS(labels.size() == mesh.vertex_count());
-  constexpr std::size_t kStepsBetweenReports = 1024;
-  constexpr const char* kStage = "Removing illegal vertices";
-  const auto cancelled = [] { return fail(ErrorKind::kCancelled, "Legalising was cancelled."); };
-  if (!progress.report(0.0, kStage)) {
-    return cancelled();
-  }
+tl::unexpected<Error> cancelled() {
+  return fail(ErrorKind::kCancelled, "Legalising was cancelled.");
+}
 
+template <class Count>
+Result<Legalisation> relabel_all(Greedy<Count> greedy, Progress& progress) {
+  constexpr std::size_t kStepsBetweenReports = 4096;
   Legalisation result;
-  Greedy greedy(mesh, std::move(labels));
   double reached = 0.0;
-  while (const std::optional<LegalisationStep> step = greedy.best()) {
-    greedy.relabel(step->vertex);
-    result.steps.push_back(*step);
+  while (const std::optional<Candidate> best = greedy.best()) {
+    greedy.relabel(best->vertex);
+    result.steps.push_back({best->vertex, best->rank.valence, best->rank.cost});
     if (result.steps.size() % kStepsBetweenReports == 0) {
       const auto made = static_cast<double>(result.steps.size());
       reached = std::max(reached, made / (made + static_cast<double>(greedy.illegal_count())));
@@ -220,6 +210,21 @@ Result<Legalisation> legalise_greedy(const ControlMesh& mesh, VertexLabels label
     return cancelled();
   }
   return result;
+}
+
+}  // namespace
+
+Result<Legalisation> legalise_greedy(const ControlMesh& mesh, VertexLabels labels, NonQuadRule,
+                                     Progress& progress) {
+  LIMN_EXPECTS(labels.size() == mesh.vertex_count());
+  if (!progress.report(0.0, kStage)) {
+    return cancelled();
+  }
+  const SpokeRings rings(mesh.topology());
+  if (rings.most_spokes() <= std::numeric_limits<std::uint8_t>::max()) {
+    return relabel_all(Greedy<std::uint8_t>(mesh, rings, std::move(labels)), progress);
+  }
+  return relabel_all(Greedy<std::uint32_t>(mesh, rings, std::move(labels)), progress);
 }
 
 }  // namespace limn

@@ -147,6 +147,8 @@ TEST(GreedyLegalisation, EqualsBruteForceAroundPoles) {
   for (const std::uint32_t n : {2u, 3u, 5u, 9u, 64u}) {
     expect_equal_for_paintings(test::trapezohedron_soup(std::max(n, 3u)), 100, random);
   }
+  expect_equal_for_paintings(test::trapezohedron_soup(300), 12,
+                             random);  // More than a byte counts.
 }
 
 TEST(GreedyLegalisation, EqualsBruteForceOnRandomQuadMeshes) {

@@ -31,8 +31,8 @@ struct Legalisation {
   std::vector<LegalisationStep> steps;  ///< The choices, in order.
 };
 
-/// Removes every illegal vertex in the paper's greedy order, in O(n log n) (algorithm: Yong & Cheng
-/// 2005, section on illegal vertices).
+/// Removes every illegal vertex in the paper's greedy order, in time that is linear in the mesh for
+/// bounded valence (algorithm: Yong & Cheng 2005, section on illegal vertices).
 ///
 /// While there are illegal vertices: the candidates are the illegal vertices adjacent to an illegal
 /// vertex of valence 1, or all illegal ones where no valence is 1; the candidate with the highest
