@@ -23,6 +23,8 @@ void register_memory(Extent extent);
 void register_adaptive(Extent extent);
 /// `bounds/KIND/THREADS`: how fast the machine copies and hands out memory.
 void register_bounds(Extent extent);
+/// `picking/QUESTION`: what is under the pointer, on 399,424 quads. There with the program only.
+void register_picking(Extent extent);
 
 /// A case of `repetitions` runs, each of which sets its own time (`State::SetIterationTime`).
 void add_case(const std::string& name, int repetitions, std::function<void(benchmark::State&)> run);

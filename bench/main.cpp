@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   limn::bench::settle_allocator();
   constexpr int kPeakArguments = 5;
   if (argc == kPeakArguments && std::string_view(argv[1]) == "--measure-peak") {
-    return limn::bench::print_peak(argv[2], argv[3], std::atoi(argv[4]));
+    return limn::bench::print_peak(argv[2], {argv[3], std::atoi(argv[4])});
   }
 
   bool quick = false;
@@ -55,6 +55,9 @@ int main(int argc, char** argv) {
   limn::bench::register_uniform(extent);
   limn::bench::register_memory(extent);
   limn::bench::register_adaptive(extent);
+#ifdef LIMN_BENCH_PICKING
+  limn::bench::register_picking(extent);
+#endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return limn::bench::has_failed() ? 1 : 0;

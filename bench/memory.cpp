@@ -3,6 +3,7 @@
 #include <malloc.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -79,9 +80,9 @@ PageScope::~PageScope() {
   huge_pages_for_all = false;
 }
 
-std::size_t measure_peak(const std::string& program, const std::string& mesh, int levels) {
+std::size_t measure_peak(const std::string& program, const Work& work) {
   const std::string command = "/proc/" + std::to_string(getpid()) + "/exe --measure-peak " +
-                              program + " " + mesh + " " + std::to_string(levels);
+                              program + " " + work.mesh + " " + std::to_string(work.levels);
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
   unsigned long long peak = 0;
   if (pipe == nullptr || std::fscanf(pipe.get(), "%llu", &peak) != 1) {
@@ -90,17 +91,17 @@ std::size_t measure_peak(const std::string& program, const std::string& mesh, in
   return static_cast<std::size_t>(peak);
 }
 
-int print_peak(const std::string& program, const std::string& mesh, int levels) {
+int print_peak(const std::string& program, const Work& work) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const std::unique_ptr<Refiner> refiner = make_refiner(program, control_mesh(mesh));
+  const std::unique_ptr<Refiner> refiner = make_refiner(program, control_mesh(work.mesh));
   refiner->prepare();
   return_free_memory();
   reset_peak();
   const std::size_t before = status_bytes("VmRSS");
-  refiner->refine(levels);
+  refiner->refine(work.levels);
   const std::size_t peak = status_bytes("VmHWM");
   if (before == 0 || peak <= before ||
-      refiner->counts() != uniform_counts(control_mesh(mesh), levels)) {
+      refiner->counts() != uniform_counts(control_mesh(work.mesh), work.levels)) {
     return 1;
   }
   std::printf("%zu\n", peak - before);

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "meshes.h"
+
 namespace limn::bench {
 
 /// Fixes glibc's allocator at the settings that its own adjustment ends at once large blocks have
@@ -45,10 +47,9 @@ class PageScope {
 
 /// Peak memory of one uniform refinement over what the process held before it, in bytes, as the
 /// kernel counts it (VmHWM). Measured in a process of its own. 0 where that fails.
-[[nodiscard]] std::size_t measure_peak(const std::string& program, const std::string& mesh,
-                                       int levels);
+[[nodiscard]] std::size_t measure_peak(const std::string& program, const Work& work);
 
 /// The part of `measure_peak` in that process, which `main` hands over to: prints the peak.
-int print_peak(const std::string& program, const std::string& mesh, int levels);
+int print_peak(const std::string& program, const Work& work);
 
 }  // namespace limn::bench

@@ -159,4 +159,14 @@ Counts uniform_counts(const ControlMesh& mesh, int levels) {
   return counts;
 }
 
+const std::vector<Work>& large_works() {
+  static const std::vector<Work> works = {
+      {"asteroid_15k", 4}, {"asteroid_61k", 3}, {"asteroid_246k", 2}};
+  return works;
+}
+
+std::string path_of(const Work& work) {
+  return work.mesh + "/" + std::to_string(work.levels);
+}
+
 }  // namespace limn::bench

@@ -28,4 +28,16 @@ struct Counts {
 /// What uniform Catmull-Clark makes of a mesh, from its numbers of vertices, edges and faces.
 [[nodiscard]] Counts uniform_counts(const ControlMesh& mesh, int levels);
 
+/// A control mesh and how many times it is refined.
+struct Work {
+  std::string mesh;
+  int levels = 0;
+};
+
+/// The asteroids, each to 3,932,160 faces.
+[[nodiscard]] const std::vector<Work>& large_works();
+
+/// `MESH/LEVELS`, the part of a case's name.
+[[nodiscard]] std::string path_of(const Work& work);
+
 }  // namespace limn::bench

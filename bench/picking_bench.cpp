@@ -1,11 +1,15 @@
 // Time to draw the id image of a large quad mesh, and to answer from it.
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <benchmark/benchmark.h>
 
+#include "cases.h"
 #include "render/context/gl_context.h"
+#include "render/environment_error.h"
 #include "render/named_views.h"
 #include "render/navigation.h"
 #include "render/picking/face_picker.h"
@@ -60,45 +64,67 @@ struct Stage {
 
 constexpr std::uint32_t kSide = 632;  // 399,424 quads.
 
-void draw_id_image(benchmark::State& state) {
-  Stage stage(kSide);
-  while (state.KeepRunning()) {
-    stage.view.yaw += 0.01;
-    benchmark::DoNotOptimize(stage.picker->pick({*stage.buffers, stage.camera()}, {512.0, 512.0}));
-  }
+/// The stage of all cases, set up when the first one runs. Throws EnvironmentError.
+Stage& stage() {
+  static Stage the_stage(kSide);
+  return the_stage;
 }
-BENCHMARK(draw_id_image)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
-void pick_in_still_picture(benchmark::State& state) {
-  Stage stage(kSide);
-  const Camera camera = stage.camera();
-  while (state.KeepRunning()) {
-    benchmark::DoNotOptimize(stage.picker->pick({*stage.buffers, camera}, {512.0, 512.0}));
+/// Times `calls` calls of `ask`. Without OpenGL the case is left out of the record, saying why.
+void time_calls(benchmark::State& state, int calls, const std::function<void(Stage&)>& ask) {
+  try {
+    ask(stage());  // What is drawn once for a still picture is drawn here.
+    state.SetLabel(stage().context->info().renderer);
+    for (auto _ : state) {
+      const double seconds = bench::seconds_of([&] {
+        for (int call = 0; call < calls; ++call) {
+          ask(stage());
+        }
+      });
+      state.SetIterationTime(seconds / calls);
+    }
+    state.counters["faces"] = kSide * kSide;
+  } catch (const EnvironmentError& error) {
+    state.SkipWithError(error.what());
   }
 }
-BENCHMARK(pick_in_still_picture)->Unit(benchmark::kMicrosecond);
-
-void brush_in_still_picture(benchmark::State& state) {
-  Stage stage(kSide);
-  const Camera camera = stage.camera();
-  const auto radius = static_cast<double>(state.range(0));
-  while (state.KeepRunning()) {
-    benchmark::DoNotOptimize(
-        stage.picker->brush({*stage.buffers, camera}, {{500.0, 500.0}, {520.0, 510.0}, radius}));
-  }
-}
-BENCHMARK(brush_in_still_picture)->Arg(5)->Arg(20)->Arg(100)->Unit(benchmark::kMicrosecond);
-
-void all_visible_in_still_picture(benchmark::State& state) {
-  Stage stage(kSide);
-  const Camera camera = stage.camera();
-  while (state.KeepRunning()) {
-    benchmark::DoNotOptimize(stage.picker->visible_faces({*stage.buffers, camera}));
-  }
-}
-BENCHMARK(all_visible_in_still_picture)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace limn::render
 
-BENCHMARK_MAIN();
+namespace limn::bench {
+
+using render::Stage;
+
+void register_picking(Extent extent) {
+  const int repetitions = extent == Extent::kQuick ? 1 : 5;
+  add_case("picking/draw", repetitions, [](benchmark::State& state) {
+    render::time_calls(state, 1, [](Stage& stage) {
+      stage.view.yaw += 0.01;  // A picture that is not drawn yet.
+      benchmark::DoNotOptimize(
+          stage.picker->pick({*stage.buffers, stage.camera()}, {512.0, 512.0}));
+    });
+  });
+  add_case("picking/pick", repetitions, [](benchmark::State& state) {
+    render::time_calls(state, 100, [](Stage& stage) {
+      benchmark::DoNotOptimize(
+          stage.picker->pick({*stage.buffers, stage.camera()}, {512.0, 512.0}));
+    });
+  });
+  for (const int radius : {5, 20, 100}) {
+    add_case(
+        "picking/brush_" + std::to_string(radius), repetitions, [radius](benchmark::State& state) {
+          render::time_calls(state, 100, [radius](Stage& stage) {
+            benchmark::DoNotOptimize(stage.picker->brush(
+                {*stage.buffers, stage.camera()}, {{500.0, 500.0}, {520.0, 510.0}, 1.0 * radius}));
+          });
+        });
+  }
+  add_case("picking/visible", repetitions, [](benchmark::State& state) {
+    render::time_calls(state, 1, [](Stage& stage) {
+      benchmark::DoNotOptimize(stage.picker->visible_faces({*stage.buffers, stage.camera()}));
+    });
+  });
+}
+
+}  // namespace limn::bench

@@ -1,5 +1,8 @@
 #include "peers/refiner.h"
 
+#include <map>
+#include <utility>
+
 #include "limn/contract.h"
 
 namespace limn::bench {
@@ -16,6 +19,15 @@ std::unique_ptr<Refiner> make_refiner(std::string_view program, const ControlMes
   }
   LIMN_EXPECTS(program == "cgal");
   return make_cgal(mesh);
+}
+
+Refiner& cached_refiner(const std::string& program, const std::string& mesh) {
+  static std::map<std::pair<std::string, std::string>, std::unique_ptr<Refiner>> refiners;
+  std::unique_ptr<Refiner>& refiner = refiners[{program, mesh}];
+  if (refiner == nullptr) {
+    refiner = make_refiner(program, control_mesh(mesh));
+  }
+  return *refiner;
 }
 
 }  // namespace limn::bench

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,5 +48,8 @@ class Refiner {
 /// One of the above, by the name that follows `make_`. Broken contract for any other.
 [[nodiscard]] std::unique_ptr<Refiner> make_refiner(std::string_view program,
                                                     const ControlMesh& mesh);
+
+/// The same, made when first asked for and kept until the program ends.
+[[nodiscard]] Refiner& cached_refiner(const std::string& program, const std::string& mesh);
 
 }  // namespace limn::bench

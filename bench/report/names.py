@@ -22,6 +22,15 @@ BOUNDS = {
 
 LAYOUTS = {"patches": "twelve patches", "scattered": "scattered faces"}
 
+PICKING = {
+    "draw": "Draw what is asked, in a picture from a new side",
+    "pick": "The face under the pointer, in a still picture",
+    "brush_5": "The faces under a stroke of 5 pixels' radius, in a still picture",
+    "brush_20": "of 20 pixels",
+    "brush_100": "of 100 pixels",
+    "visible": "All visible faces, in a still picture",
+}
+
 # The mesh that the short tables and the plot are about, and its levels.
 MAIN = ("asteroid_15k", 4)
 # The mesh of the paintings, and the levels it is refined uniformly beside them.

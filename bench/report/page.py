@@ -1,11 +1,12 @@
 """The page of tables. A section whose cases were not run is left out."""
 
-from names import BOUNDS, LAYOUTS, MAIN, PAINTED, PROGRAMS, works
+from names import BOUNDS, LAYOUTS, MAIN, PAINTED, PICKING, PROGRAMS, works
 
 
 def page(results):
     sections = [opening(results), at_a_glance(results), uniform(results), memory(results),
-                adaptive(results), machine_bounds(results), agreement(results), method(results)]
+                adaptive(results), machine_bounds(results), picking(results), agreement(results),
+                not_measured(results), method(results)]
     return "\n\n".join(section for section in sections if section) + "\n"
 
 
@@ -43,6 +44,7 @@ than times do. How it was measured stands [at the end](#how-it-is-measured).
 | Memory | {machine["memory"]}, transparent huge pages: {chosen(machine["huge_pages"])} |
 | System | {machine["system"]} |
 | GPU | {gpu(results)} |
+| Load before the run | {machine["load_avg"][0]:.1f} |
 | Compiler | {machine["compiler"]}, release build |
 | Peers | OpenSubdiv {machine["opensubdiv"]}, OpenMesh {machine["openmesh"]}, CGAL {machine["cgal"]}, from Debian 12 |
 | Date | {machine["date"][:10]} |"""
@@ -180,6 +182,19 @@ Gigabytes written a second. A refinement can be no faster than its result is wri
 {table(["", "bytes a face", "1 thread", "2 threads"], rows)}"""
 
 
+def picking(results):
+    cases = [(text, results.get("picking", question)) for question, text in PICKING.items()]
+    rows = [[text, f"{1e3 * case.seconds:.3g}"] for text, case in cases if case]
+    if not rows:
+        return ""
+    faces = max(case.counters["faces"] for _, case in cases if case)
+    return f"""## Picking
+
+Questions about a picture of {faces:,.0f} quads, 1024 by 1024 pixels, answered by OpenGL: {gpu(results)}.
+
+{table(["", "ms"], rows)}"""
+
+
 def agreement(results):
     rows = [[f"`{case.path[1]}`, {case.path[2]} levels", PROGRAMS[case.path[3]],
              f"{case.counters['distance']:.1e}"] for case in results.group("agreement")]
@@ -191,6 +206,11 @@ The largest distance between a vertex of Limn's and the nearest of the peer's, a
 of vertices or faces differ from those of uniform Catmull-Clark.
 
 {table(["mesh", "peer", "largest distance"], rows, words=2)}"""
+
+
+def not_measured(results):
+    rows = [f"- `{case.name}`: {case.error}" for case in results.failures()]
+    return "\n".join(["## Not measured", ""] + rows) if rows else ""
 
 
 def method(results):

@@ -1,0 +1,51 @@
+// Whether the programs compute the same: vertex by vertex, whatever order they come in.
+#include <string>
+#include <vector>
+
+#include "agreement.h"
+#include "cases.h"
+#include "peers/refiner.h"
+
+namespace limn::bench {
+namespace {
+
+void compare(benchmark::State& state, const std::string& program, const Work& work) {
+  Refiner& limn = cached_refiner("limn", work.mesh);
+  Refiner& peer = cached_refiner(program, work.mesh);
+  double distance = 0.0;
+  for (auto _ : state) {
+    state.SetIterationTime(seconds_of([&] {
+      for (Refiner* refiner : {&limn, &peer}) {
+        refiner->prepare();
+        refiner->refine(work.levels);
+      }
+      distance = largest_distance(limn.positions(), peer.positions());
+    }));
+  }
+  const double relative = distance / control_mesh(work.mesh).bounds().diagonal();
+  state.counters["distance"] = relative;
+  if (limn.counts() != peer.counts() || !(relative <= kAgreement)) {
+    fail_run(state, "not the vertices that Limn finds");
+  }
+  limn.release();
+  peer.release();
+}
+
+}  // namespace
+
+void register_agreement(Extent extent) {
+  std::vector<Work> works = {{"asteroid_15k", 2}};
+  if (extent == Extent::kAll) {
+    works.insert(works.end(), {{"creature", 4}, {"mixed", 5}, {"teapot", 4}});
+  }
+  for (const Work& work : works) {
+    for (const std::string program : {"opensubdiv", "openmesh", "cgal"}) {
+      if (program == "opensubdiv" || control_mesh(work.mesh).is_closed()) {
+        add_case("agreement/" + path_of(work) + "/" + program, 1,
+                 [=](benchmark::State& state) { compare(state, program, work); });
+      }
+    }
+  }
+}
+
+}  // namespace limn::bench
