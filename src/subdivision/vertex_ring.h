@@ -55,7 +55,7 @@ class VertexRing {
   [[nodiscard]] float vertex_sharpness() const noexcept { return vertex_sharpness_; }
   /// For CreasingMethod::kChaikin alone, and only where edge i is semi-sharp: the mean sharpness of
   /// the other semi-sharp edges at the far end of edge i (infinitely sharp ones do not count), 0
-  /// where there is none.
+  /// where there is none (SharpnessSum::mean_besides).
   [[nodiscard]] std::span<float> far_sharpness() noexcept { return far_sharpness_; }
 
   /// The ring of the same vertex one level down; sharpness wears off by `method`.
@@ -101,7 +101,7 @@ class VertexRing {
 
   [[nodiscard]] Point smooth_limit() const noexcept;
   [[nodiscard]] LimitPoint limit_without_wear() const;
-  [[nodiscard]] LimitPoint dart_limit() const;
+  [[nodiscard]] LimitPoint dart_limit(std::size_t dart) const;
   [[nodiscard]] glm::dvec3 smooth_normal() const noexcept;
   [[nodiscard]] glm::dvec3 crease_normal(std::size_t first, std::size_t last) const noexcept;
 

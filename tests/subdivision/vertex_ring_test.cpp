@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "limn/contract.h"
+#include "subdivision/sharpness.h"
 #include "support/opensubdiv_reference.h"
 #include "support/shapes.h"
 
@@ -96,21 +96,14 @@ std::uint32_t other_end(const UniformHierarchy& hierarchy, int level, std::uint3
   return a == vertex ? b : a;
 }
 
-/// Of the semi-sharp edges at a vertex besides one.
+/// Of the semi-sharp edges at a vertex besides one. In OpenSubdiv's order, since it adds floats.
 float mean_sharpness_besides(const UniformHierarchy& hierarchy, int level, std::uint32_t vertex,
                              std::uint32_t edge) {
-  float sum = 0.0f;
-  int count = 0;
+  SharpnessSum sum;
   for (const std::uint32_t other : hierarchy.vertex_edges(level, vertex)) {
-    const float sharpness = hierarchy.edge_sharpness(level, other);
-    if (sharpness > 0.0f && sharpness < kInfiniteSharpness) {
-      sum += sharpness;
-      ++count;
-    }
+    sum.add(hierarchy.edge_sharpness(level, other));
   }
-  // In OpenSubdiv's order, since sharpness is a float.
-  return count < 2 ? 0.0f
-                   : (sum - hierarchy.edge_sharpness(level, edge)) / static_cast<float>(count - 1);
+  return sum.mean_besides(hierarchy.edge_sharpness(level, edge));
 }
 
 VertexRing ring_at(const UniformHierarchy& hierarchy, const std::vector<glm::dvec3>& positions,
@@ -125,7 +118,7 @@ VertexRing ring_at(const UniformHierarchy& hierarchy, const std::vector<glm::dve
     const std::uint32_t far = other_end(hierarchy, level, edges[i], vertex);
     ring.edges()[i] = to_point(positions[far]);
     ring.edge_sharpness()[i] = hierarchy.edge_sharpness(level, edges[i]);
-    if (ring.edge_sharpness()[i] > 0.0f && ring.edge_sharpness()[i] < kInfiniteSharpness) {
+    if (is_semi_sharp(ring.edge_sharpness()[i])) {
       ring.far_sharpness()[i] = mean_sharpness_besides(hierarchy, level, far, edges[i]);
     }
   }
@@ -172,6 +165,160 @@ void expect_rings_follow(const ControlMesh& mesh, int levels, CornerRule corners
       }
     }
   }
+}
+
+/// The sharp edges of a ring whose semi-sharp ones have worn off.
+struct Feature {
+  bool is_corner = false;
+  std::size_t count = 0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+
+  explicit Feature(const VertexRing& ring) : is_corner(ring.vertex_sharpness() > 0.0f) {
+    for (std::size_t i = 0; i < ring.edge_sharpness().size(); ++i) {
+      if (ring.edge_sharpness()[i] > 0.0f) {
+        first = count == 0 ? i : first;
+        last = i;
+        ++count;
+      }
+    }
+    is_corner = is_corner || count > 2;
+  }
+
+  [[nodiscard]] bool is_dart() const { return !is_corner && count == 1; }
+  /// Where OpenSubdiv's masks are left eigenvectors of the step, so the same at all levels.
+  [[nodiscard]] bool has_exact_normal_mask() const {
+    return !is_corner && (count == 0 || (count == 2 && last - first <= 2));
+  }
+};
+
+/// A vector of length 0 is at right angles to all others.
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+  const double cosine = glm::dot(a, b);
+  return cosine == 0.0 ? 0.5 * std::numbers::pi : std::atan2(glm::length(glm::cross(a, b)), cosine);
+}
+
+/// What has been compared, so that no comparison passes for want of cases.
+struct Compared {
+  int positions = 0;
+  int normals = 0;
+  int corners = 0;
+};
+
+/// The limit of every control vertex, from its ring at level 0, beside OpenSubdiv's at the last
+/// level, where nothing semi-sharp is left.
+void expect_limits_meet(const ControlMesh& mesh, int levels, CornerRule corners,
+                        Compared& compared) {
+  const CreasingMethod method = mesh.creases().method;
+  const UniformHierarchy hierarchy(mesh, levels, corners);
+  const auto positions = hierarchy.positions(mesh.positions());
+  const ReferenceLimits limits = hierarchy.limits(mesh.positions());
+  const double tolerance = 1e-12 * mesh.bounds().diagonal();
+  for (std::uint32_t control = 0; control < mesh.vertex_count(); ++control) {
+    std::uint32_t vertex = control;
+    for (int level = 0; level < levels; ++level) {
+      vertex = hierarchy.child_of_vertex(level, vertex);
+    }
+    const VertexRing last = ring_at(hierarchy, positions.back(), levels, vertex);
+    const Feature feature(last);
+    const LimitPoint limit = ring_at(hierarchy, positions[0], 0, control).limit(method, corners);
+    const std::string where = fmt::format("vertex {} ({} faces{}), {} sharp edges{}", control,
+                                          last.face_count(), last.is_boundary() ? ", boundary" : "",
+                                          feature.count, feature.is_corner ? ", corner" : "");
+    if (!feature.is_dart()) {
+      EXPECT_LE(glm::distance(limit.position, limits.positions[vertex]), tolerance) << where;
+      ++compared.positions;
+    }
+    if (feature.has_exact_normal_mask()) {
+      EXPECT_LE(angle_between(limit.normal, limits.normals[vertex]), 1e-6) << where;
+      ++compared.normals;
+    } else if (feature.is_corner && feature.count >= 2 && feature.first == 0) {
+      const LimitPoint at_last = last.limit(method, corners);
+      EXPECT_LE(angle_between(at_last.normal, limits.normals[vertex]), 1e-6) << where;
+      ++compared.corners;
+    }
+  }
+}
+
+/// A ring with quads around as a mesh, vertex 0 in the middle, edge i to vertex 1 + i.
+ControlMesh quads_of(const VertexRing& ring) {
+  const std::size_t n = ring.face_count();
+  const std::size_t edges = ring.edges().size();
+  std::vector<glm::dvec3> positions{to_vec3(ring.centre())};
+  for (const Point& edge : ring.edges()) {
+    positions.push_back(to_vec3(edge));
+  }
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % edges;
+    positions.push_back(
+        to_vec3(4.0 * ring.centroids()[i] - ring.centre() - ring.edges()[i] - ring.edges()[next]));
+    faces.push_back({0, static_cast<std::uint32_t>(1 + i),
+                     static_cast<std::uint32_t>(1 + edges + i),
+                     static_cast<std::uint32_t>(1 + next)});
+  }
+  const MeshPointer mesh = control_mesh(positions, faces);
+  MeshAttributes attributes;
+  attributes.creases.edge_sharpness.assign(mesh->edge_count(), 0.0f);
+  attributes.creases.vertex_sharpness.assign(mesh->vertex_count(), 0.0f);
+  attributes.creases.vertex_sharpness[0] = ring.vertex_sharpness();
+  for (std::size_t e = 0; e < mesh->edge_count(); ++e) {
+    const auto [a, b] = mesh->topology().edge_vertices[e];
+    if (std::min(a, b) == 0 && std::max(a, b) <= edges) {
+      attributes.creases.edge_sharpness[e] = ring.edge_sharpness()[std::max(a, b) - 1];
+    }
+  }
+  return mesh->with_attributes(std::move(attributes));
+}
+
+/// A bumpy disc or fan of n faces, no two alike.
+VertexRing random_ring(std::size_t n, bool is_boundary, Random& random) {
+  VertexRing ring;
+  ring.reset(n, is_boundary);
+  const double turn =
+      (is_boundary ? std::numbers::pi : 2.0 * std::numbers::pi) / static_cast<double>(n);
+  const auto point = [&](double radius, double angle) {
+    const double x = radius * std::cos(angle) + 0.2 * unit(random);
+    const double y = radius * std::sin(angle) + 0.2 * unit(random);
+    return glm::dvec3(x, y, 0.5 * unit(random));
+  };
+  ring.centre() = to_point(point(0.0, 0.0));
+  for (std::size_t i = 0; i < ring.edges().size(); ++i) {
+    ring.edges()[i] = to_point(point(1.0, static_cast<double>(i) * turn));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    ring.centroids()[i] = to_point(point(0.7, (static_cast<double>(i) + 0.5) * turn));
+  }
+  return ring;
+}
+
+/// The ring some levels down, with the vertex moved to the origin and magnified after each.
+VertexRing far_down(VertexRing ring, int levels, CornerRule corners) {
+  for (int level = 0; level < levels; ++level) {
+    ring.step(CreasingMethod::kUniform, corners);
+    for (Point& edge : ring.edges()) {
+      edge = 1.6 * (edge - ring.centre());
+    }
+    for (Point& centroid : ring.centroids()) {
+      centroid = 1.6 * (centroid - ring.centre());
+    }
+    ring.centre() = Point{};
+  }
+  return ring;
+}
+
+/// After which OpenSubdiv's normal beside a crease has settled. With one face it is the limit's at
+/// once, and loses digits: the surface bends away from its tangent by 1/2 less than it shrinks.
+int levels_beside_crease(std::size_t faces) {
+  return faces == 1 ? 3 : 40;
+}
+
+/// OpenSubdiv's normal in the middle of a ring, the side of a crease as the ring has it.
+glm::dvec3 reference_normal(const VertexRing& ring, CornerRule corners) {
+  const ControlMesh mesh = quads_of(ring);
+  const UniformHierarchy hierarchy(mesh, 0, corners);
+  EXPECT_EQ(hierarchy.vertex_faces(0, 0).front(), 0u);
+  return hierarchy.limits(mesh.positions()).normals[0];
 }
 
 /// Open and closed, all valences, all kinds of faces.
@@ -222,6 +369,147 @@ TEST(VertexRing, FollowsChaikinCreases) {
                         500 + seed);
     expect_rings_follow({.edge = 0.4, .vertex = 0.1, .greatest = 1.4f, .method = chaikin},
                         600 + seed);
+  }
+}
+
+TEST(VertexRing, LimitIsOpenSubdivs) {
+  Compared compared;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    Random random(700 + seed);
+    for (const CreasingMethod method : {CreasingMethod::kUniform, CreasingMethod::kChaikin}) {
+      for (const MeshPointer& mesh : random_meshes(random)) {
+        const CreasingChance chance{.edge = 0.12 * seed,
+                                    .vertex = 0.05 * seed,
+                                    .infinite = 0.4,
+                                    .greatest = 2.0f,
+                                    .method = method};
+        const ControlMesh sharp = creased(*mesh, chance, random);
+        expect_limits_meet(sharp, 2, CornerRule::kSharp, compared);
+        expect_limits_meet(sharp, 2, CornerRule::kSmooth, compared);
+      }
+    }
+  }
+  EXPECT_GT(compared.positions, 5000);
+  EXPECT_GT(compared.normals, 3000);
+  EXPECT_GT(compared.corners, 300);
+}
+
+TEST(VertexRing, NormalAtABoundaryIsWhatOpenSubdivsTendsTo) {
+  Random random(800);
+  for (std::size_t n = 1; n <= 6; ++n) {
+    const VertexRing ring = random_ring(n, true, random);
+    const CornerRule corners = CornerRule::kSmooth;
+    const LimitPoint limit = ring.limit(CreasingMethod::kUniform, corners);
+    const VertexRing below = far_down(ring, levels_beside_crease(n), corners);
+    EXPECT_LE(angle_between(limit.normal, reference_normal(below, corners)), 1e-7) << n;
+  }
+}
+
+TEST(VertexRing, NormalBesideACreaseIsWhatOpenSubdivsTendsTo) {
+  Random random(810);
+  for (std::size_t n = 3; n <= 9; ++n) {
+    for (std::size_t first = 0; first < n; ++first) {
+      for (std::size_t last = first + 1; last < n; ++last) {
+        VertexRing ring = random_ring(n, false, random);
+        ring.edge_sharpness()[first] = ring.edge_sharpness()[last] = kInfiniteSharpness;
+        const CornerRule corners = CornerRule::kSharp;
+        const LimitPoint limit = ring.limit(CreasingMethod::kUniform, corners);
+        const VertexRing below = far_down(ring, levels_beside_crease(last - first), corners);
+        EXPECT_LE(angle_between(limit.normal, reference_normal(below, corners)), 1e-7)
+            << n << " faces, " << first << " to " << last;
+      }
+    }
+  }
+}
+
+TEST(VertexRing, DartTendsToItsLimit) {
+  Random random(820);
+  for (std::size_t n = 3; n <= 12; ++n) {
+    VertexRing ring = random_ring(n, false, random);
+    ring.edge_sharpness()[n / 2] = kInfiniteSharpness;
+    const CornerRule corners = CornerRule::kSharp;
+    const LimitPoint limit = ring.limit(CreasingMethod::kUniform, corners);
+    const VertexRing below = far_down(ring, 200, corners);
+    EXPECT_LE(angle_between(limit.normal, reference_normal(below, corners)), 1e-6) << n;
+    for (int level = 0; level < 100; ++level) {
+      ring.step(CreasingMethod::kUniform, corners);
+    }
+    expect_near(ring.centre(), limit.position, 1e-13, fmt::format("{} faces", n));
+  }
+}
+
+TEST(VertexRing, LimitIsTheSameFromEveryLevel) {
+  Random random(830);
+  const CornerRule corners = CornerRule::kSharp;
+  int normals = 0;
+  for (int repeat = 0; repeat < 400; ++repeat) {
+    const bool is_boundary = random() % 2 == 0;
+    const std::size_t n = 2 + random() % 11;
+    const CreasingMethod method =
+        random() % 2 == 0 ? CreasingMethod::kUniform : CreasingMethod::kChaikin;
+    VertexRing ring = random_ring(n, is_boundary, random);
+    for (std::size_t i = 0; i < ring.edges().size(); ++i) {
+      if (random() % 6 == 0) {
+        ring.edge_sharpness()[i] = random_sharpness({.infinite = 0.4}, random);
+        ring.far_sharpness()[i] = static_cast<float>(2.0 * unit(random));
+      }
+    }
+    ring.vertex_sharpness() = random() % 6 == 0 ? random_sharpness({}, random) : 0.0f;
+    const LimitPoint limit = ring.limit(method, corners);
+    for (int level = 1; level <= 4; ++level) {
+      ring.step(method, corners);
+      const LimitPoint again = ring.limit(method, corners);
+      EXPECT_LE(glm::distance(limit.position, again.position), 1e-13) << repeat;
+      Feature feature(ring);
+      if (level == 4 && !feature.is_corner) {
+        EXPECT_NEAR(glm::length(limit.normal), 1.0, 1e-12) << repeat << ", " << n;
+        EXPECT_LE(angle_between(limit.normal, again.normal), 1e-9) << repeat << ", " << n;
+        ++normals;
+      }
+    }
+  }
+  EXPECT_GT(normals, 200);
+}
+
+TEST(VertexRing, TwoFacesInsideHaveTheLimitOfManySteps) {
+  Random random(840);
+  VertexRing ring = random_ring(2, false, random);
+  const CornerRule corners = CornerRule::kSharp;
+  const LimitPoint limit = ring.limit(CreasingMethod::kUniform, corners);
+  EXPECT_GT(limit.normal.z, 0.5);
+  for (int level = 0; level < 40; ++level) {
+    ring.step(CreasingMethod::kUniform, corners);
+  }
+  expect_near(ring.centre(), limit.position, 1e-14, "centre");
+}
+
+TEST(VertexRing, TipOfAConeHasItsAxisForANormal) {
+  constexpr std::size_t kFaces = 7;
+  VertexRing ring;
+  ring.reset(kFaces, false);
+  ring.centre() = Point{0.0, 0.0, 2.0, 0.0};
+  for (std::size_t i = 0; i < kFaces; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kFaces;
+    const double half = angle + std::numbers::pi / kFaces;
+    ring.edges()[i] = Point{std::cos(angle), std::sin(angle), 0.0, 0.0};
+    ring.centroids()[i] = Point{0.8 * std::cos(half), 0.8 * std::sin(half), 0.5, 0.0};
+  }
+  ring.vertex_sharpness() = kInfiniteSharpness;
+  const LimitPoint limit = ring.limit(CreasingMethod::kUniform, CornerRule::kSharp);
+  EXPECT_EQ(limit.position, glm::dvec3(0.0, 0.0, 2.0));
+  EXPECT_LE(glm::distance(limit.normal, glm::dvec3(0.0, 0.0, 1.0)), 1e-12);
+}
+
+TEST(VertexRing, AllPointsAlikeHaveNoNormal) {
+  VertexRing ring;
+  for (const bool is_boundary : {false, true}) {
+    ring.reset(5, is_boundary);
+    ring.centre() = Point{3.0, 2.0, 1.0, 0.0};
+    std::ranges::fill(ring.edges(), ring.centre());
+    std::ranges::fill(ring.centroids(), ring.centre());
+    const LimitPoint limit = ring.limit(CreasingMethod::kUniform, CornerRule::kSharp);
+    EXPECT_LE(glm::distance(limit.position, glm::dvec3(3.0, 2.0, 1.0)), 1e-14);
+    EXPECT_EQ(limit.normal, glm::dvec3(0.0));
   }
 }
 

@@ -114,7 +114,8 @@ std::vector<std::vector<glm::dvec3>> UniformHierarchy::positions(
 
 ReferenceLimits UniformHierarchy::limits(std::span<const glm::dvec3> control) const {
   std::vector<Primvar> last;
-  for (const glm::dvec3& position : positions(control).back()) {
+  const auto all = positions(control);
+  for (const glm::dvec3& position : all.back()) {
     last.push_back({position});
   }
   std::vector<Primvar> limit(last.size());
