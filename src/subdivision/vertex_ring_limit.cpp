@@ -37,10 +37,12 @@ glm::dvec3 unit_normal(const Point& tangent, const Point& other) noexcept {
   const glm::dvec3 a = to_vec3(tangent);
   const glm::dvec3 b = to_vec3(other);
   const glm::dvec3 normal = glm::cross(a, b);
-  const double length = glm::length(normal);
+  const double square = glm::dot(normal, normal);
   constexpr double kLeastSine = 1e-12;
   // Written so that a length that is no number fails too.
-  return length > kLeastSine * glm::length(a) * glm::length(b) ? normal / length : glm::dvec3(0.0);
+  return square > kLeastSine * kLeastSine * glm::dot(a, a) * glm::dot(b, b)
+             ? normal / std::sqrt(square)
+             : glm::dvec3(0.0);
 }
 
 /// Weights of the points of a ring with one sharp edge, edge 0.

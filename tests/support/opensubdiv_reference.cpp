@@ -1,6 +1,7 @@
 #include "support/opensubdiv_reference.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
@@ -14,13 +15,36 @@ namespace {
 
 using namespace OpenSubdiv;  // NOLINT(google-build-using-namespace): its version namespace.
 
-/// A position the way PrimvarRefiner wants it.
+/// A point the way PrimvarRefiner wants it.
+template <class Vector>
 struct Primvar {
-  glm::dvec3 value{0.0};
+  Vector value{0.0};
 
-  void Clear() { value = glm::dvec3(0.0); }
+  // NOLINTBEGIN(readability-identifier-naming): OpenSubdiv's names.
+  void Clear() { value = Vector(0.0); }
   void AddWithWeight(const Primvar& other, double weight) { value += weight * other.value; }
+  // NOLINTEND(readability-identifier-naming)
 };
+
+template <class Vector>
+std::vector<Primvar<Vector>> primvars(std::span<const Vector> values) {
+  std::vector<Primvar<Vector>> all;
+  all.reserve(values.size());
+  for (const Vector& value : values) {
+    all.push_back({value});
+  }
+  return all;
+}
+
+template <class Vector>
+std::vector<Vector> values(const std::vector<Primvar<Vector>>& primvars) {
+  std::vector<Vector> all;
+  all.reserve(primvars.size());
+  for (const Primvar<Vector>& primvar : primvars) {
+    all.push_back(primvar.value);
+  }
+  return all;
+}
 
 std::vector<std::uint32_t> to_vector(const Far::ConstIndexArray& indices) {
   std::vector<std::uint32_t> values;
@@ -28,6 +52,74 @@ std::vector<std::uint32_t> to_vector(const Far::ConstIndexArray& indices) {
     values.push_back(static_cast<std::uint32_t>(indices[i]));
   }
   return values;
+}
+
+/// A control mesh as Far wants to be told of it; the arrays must stay where they are.
+struct Description {
+  std::vector<int> sides;
+  std::vector<Far::Index> vertices;
+  std::vector<Far::Index> crease_ends;
+  std::vector<float> crease_weights;
+  std::vector<Far::Index> corner_vertices;
+  std::vector<float> corner_weights;
+  std::vector<Far::Index> corner_values;
+  Far::TopologyDescriptor::FVarChannel channel;
+  Far::TopologyDescriptor descriptor;
+
+  explicit Description(const ControlMesh& mesh);
+  Description(const Description&) = delete;
+  Description& operator=(const Description&) = delete;
+  ~Description() = default;
+};
+
+Description::Description(const ControlMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    sides.push_back(static_cast<int>(face.size()));
+    vertices.insert(vertices.end(), face.begin(), face.end());
+  }
+  descriptor.numVertices = static_cast<int>(mesh.vertex_count());
+  descriptor.numFaces = static_cast<int>(mesh.face_count());
+  descriptor.numVertsPerFace = sides.data();
+  descriptor.vertIndicesPerFace = vertices.data();
+
+  crease_weights = mesh.creases().edge_sharpness;
+  for (std::size_t e = 0; e < crease_weights.size(); ++e) {
+    for (const std::uint32_t end : mesh.topology().edge_vertices[e]) {
+      crease_ends.push_back(static_cast<Far::Index>(end));
+    }
+  }
+  descriptor.numCreases = static_cast<int>(crease_weights.size());
+  descriptor.creaseVertexIndexPairs = crease_ends.data();
+  descriptor.creaseWeights = crease_weights.data();
+
+  corner_weights = mesh.creases().vertex_sharpness;
+  corner_vertices.resize(corner_weights.size());
+  std::iota(corner_vertices.begin(), corner_vertices.end(), 0);
+  descriptor.numCorners = static_cast<int>(corner_weights.size());
+  descriptor.cornerVertexIndices = corner_vertices.data();
+  descriptor.cornerWeights = corner_weights.data();
+
+  if (!mesh.texture().empty()) {
+    corner_values.assign(mesh.texture().corner_values.begin(), mesh.texture().corner_values.end());
+    channel.numValues = static_cast<int>(mesh.texture().values.size());
+    channel.valueIndices = corner_values.data();
+    descriptor.numFVarChannels = 1;
+    descriptor.fvarChannels = &channel;
+  }
+}
+
+Sdc::Options options_of(CreasingMethod creasing, CornerRule corners, TextureRule texture) {
+  Sdc::Options options;
+  options.SetCreasingMethod(creasing == CreasingMethod::kChaikin ? Sdc::Options::CREASE_CHAIKIN
+                                                                 : Sdc::Options::CREASE_UNIFORM);
+  options.SetVtxBoundaryInterpolation(corners == CornerRule::kSharp
+                                          ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
+                                          : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+  options.SetFVarLinearInterpolation(texture == TextureRule::kLinear
+                                         ? Sdc::Options::FVAR_LINEAR_ALL
+                                         : Sdc::Options::FVAR_LINEAR_BOUNDARIES);
+  return options;
 }
 
 }  // namespace
@@ -38,48 +130,14 @@ struct UniformHierarchy::Implementation {
   [[nodiscard]] Far::TopologyLevel level(int k) const { return refiner->GetLevel(k); }
 };
 
-UniformHierarchy::UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners)
+UniformHierarchy::UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners,
+                                   TextureRule texture)
     : implementation_(std::make_unique<Implementation>()) {
-  std::vector<int> sides;
-  std::vector<Far::Index> vertices;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    sides.push_back(static_cast<int>(face.size()));
-    vertices.insert(vertices.end(), face.begin(), face.end());
-  }
-  Far::TopologyDescriptor descriptor;
-  descriptor.numVertices = static_cast<int>(mesh.vertex_count());
-  descriptor.numFaces = static_cast<int>(mesh.face_count());
-  descriptor.numVertsPerFace = sides.data();
-  descriptor.vertIndicesPerFace = vertices.data();
-
-  std::vector<Far::Index> crease_ends;
-  std::vector<float> crease_weights;
-  for (std::size_t e = 0; e < mesh.creases().edge_sharpness.size(); ++e) {
-    for (const std::uint32_t end : mesh.topology().edge_vertices[e]) {
-      crease_ends.push_back(static_cast<Far::Index>(end));
-    }
-    crease_weights.push_back(mesh.creases().edge_sharpness[e]);
-  }
-  descriptor.numCreases = static_cast<int>(crease_weights.size());
-  descriptor.creaseVertexIndexPairs = crease_ends.data();
-  descriptor.creaseWeights = crease_weights.data();
-  std::vector<Far::Index> corner_vertices(mesh.creases().vertex_sharpness.size());
-  std::ranges::generate(corner_vertices, [i = 0]() mutable { return i++; });
-  descriptor.numCorners = static_cast<int>(corner_vertices.size());
-  descriptor.cornerVertexIndices = corner_vertices.data();
-  descriptor.cornerWeights = mesh.creases().vertex_sharpness.data();
-
-  Sdc::Options options;
-  options.SetCreasingMethod(mesh.creases().method == CreasingMethod::kChaikin
-                                ? Sdc::Options::CREASE_CHAIKIN
-                                : Sdc::Options::CREASE_UNIFORM);
-  options.SetVtxBoundaryInterpolation(corners == CornerRule::kSharp
-                                          ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
-                                          : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+  const Description description(mesh);
+  const Sdc::Options options = options_of(mesh.creases().method, corners, texture);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   implementation_->refiner.reset(
-      Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_CATMARK, options)));
+      Factory::Create(description.descriptor, Factory::Options(Sdc::SCHEME_CATMARK, options)));
   LIMN_EXPECTS(implementation_->refiner != nullptr);
   Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;
@@ -96,39 +154,48 @@ std::vector<std::vector<glm::dvec3>> UniformHierarchy::positions(
     std::span<const glm::dvec3> control) const {
   const Far::PrimvarRefinerReal<double> refiner(*implementation_->refiner);
   std::vector<std::vector<glm::dvec3>> all{{control.begin(), control.end()}};
-  std::vector<Primvar> from;
-  for (const glm::dvec3& position : control) {
-    from.push_back({position});
-  }
+  auto from = primvars(control);
   for (int level = 1; level <= levels(); ++level) {
-    std::vector<Primvar> to(vertex_count(level));
+    std::vector<Primvar<glm::dvec3>> to(vertex_count(level));
     refiner.Interpolate(level, from, to);
-    all.emplace_back();
-    for (const Primvar& primvar : to) {
-      all.back().push_back(primvar.value);
-    }
+    all.push_back(values(to));
     from = std::move(to);
   }
   return all;
 }
 
 ReferenceLimits UniformHierarchy::limits(std::span<const glm::dvec3> control) const {
-  std::vector<Primvar> last;
   const auto all = positions(control);
-  for (const glm::dvec3& position : all.back()) {
-    last.push_back({position});
-  }
-  std::vector<Primvar> limit(last.size());
-  std::vector<Primvar> tangent(last.size());
-  std::vector<Primvar> other(last.size());
+  const auto last = primvars(std::span<const glm::dvec3>(all.back()));
+  std::vector<Primvar<glm::dvec3>> limit(last.size());
+  std::vector<Primvar<glm::dvec3>> tangent(last.size());
+  std::vector<Primvar<glm::dvec3>> other(last.size());
   const Far::PrimvarRefinerReal<double> refiner(*implementation_->refiner);
   refiner.Limit(last, limit, tangent, other);
-  ReferenceLimits limits;
+  ReferenceLimits limits{values(limit), {}};
   for (std::size_t v = 0; v < last.size(); ++v) {
-    limits.positions.push_back(limit[v].value);
     limits.normals.push_back(glm::normalize(glm::cross(tangent[v].value, other[v].value)));
   }
   return limits;
+}
+
+std::vector<std::vector<glm::dvec2>> UniformHierarchy::uvs(
+    std::span<const glm::dvec2> control) const {
+  const Far::PrimvarRefinerReal<double> refiner(*implementation_->refiner);
+  std::vector<std::vector<glm::dvec2>> all{{control.begin(), control.end()}};
+  auto from = primvars(control);
+  for (int level = 1; level <= levels(); ++level) {
+    const int count = implementation_->level(level).GetNumFVarValues();
+    std::vector<Primvar<glm::dvec2>> to(static_cast<std::size_t>(count));
+    refiner.InterpolateFaceVarying(level, from, to);
+    all.push_back(values(to));
+    from = std::move(to);
+  }
+  return all;
+}
+
+std::vector<std::uint32_t> UniformHierarchy::face_uvs(int level, std::uint32_t face) const {
+  return to_vector(implementation_->level(level).GetFaceFVarValues(static_cast<int>(face)));
 }
 
 std::uint32_t UniformHierarchy::vertex_count(int level) const {

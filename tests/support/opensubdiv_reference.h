@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "limn/mesh/control_mesh.h"
@@ -21,11 +22,13 @@ struct ReferenceLimits {
   std::vector<glm::dvec3> normals;  ///< Of length 1, or not finite where the tangents are parallel.
 };
 
-/// A control mesh after 0..levels uniform Catmull-Clark steps, with its creases, by OpenSubdiv in
-/// double precision. Level 0 has the control mesh's vertex and face numbers.
+/// A control mesh after 0..levels uniform Catmull-Clark steps, with its creases and texture
+/// coordinates, by OpenSubdiv in double precision. Level 0 has the control mesh's vertex and face
+/// numbers.
 class UniformHierarchy {
  public:
-  UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners);
+  UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners,
+                   TextureRule texture = TextureRule::kSmoothInside);
   ~UniformHierarchy();
   UniformHierarchy(const UniformHierarchy&) = delete;
   UniformHierarchy& operator=(const UniformHierarchy&) = delete;
@@ -37,6 +40,12 @@ class UniformHierarchy {
   /// Limit positions and normals of the last level's vertices. OpenSubdiv takes creases that are
   /// still semi-sharp there for infinitely sharp ones.
   [[nodiscard]] ReferenceLimits limits(std::span<const glm::dvec3> control) const;
+
+  /// Texture coordinates of all levels from the given ones at level 0: `[level][value]`. For a mesh
+  /// that has some.
+  [[nodiscard]] std::vector<std::vector<glm::dvec2>> uvs(std::span<const glm::dvec2> control) const;
+  /// Into these, one for each corner of a face.
+  [[nodiscard]] std::vector<std::uint32_t> face_uvs(int level, std::uint32_t face) const;
 
   [[nodiscard]] std::uint32_t vertex_count(int level) const;
   [[nodiscard]] std::uint32_t edge_count(int level) const;
