@@ -231,8 +231,7 @@ void Session::apply_refined() {
     toast(Kind::kProblem, "The refined mesh has cracks and cannot become a control mesh.");
     return;
   }
-  execute(replace_control_command(
-      std::make_shared<const ControlMesh>(to_halfedge_mesh(*refined->refinement->mesh)), "apply"));
+  execute(replace_control_command(to_control_mesh(*refined->refinement->mesh), "apply"));
 }
 
 }  // namespace limn::app

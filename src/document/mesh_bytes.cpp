@@ -32,11 +32,17 @@ std::size_t halfedge_bytes(const HalfedgeMesh& mesh) {
 
 }  // namespace
 
+std::size_t attribute_bytes(const ControlMesh& mesh) {
+  return array_bytes(mesh.creases().edge_sharpness) + array_bytes(mesh.creases().vertex_sharpness) +
+         array_bytes(mesh.texture().values) + array_bytes(mesh.texture().corner_values);
+}
+
 std::size_t mesh_bytes(const ControlMesh& mesh) {
   const FlatTopology& topology = mesh.topology();
-  return sizeof(ControlMesh) + halfedge_bytes(mesh.halfedges()) + mesh.positions().size_bytes() +
-         array_bytes(topology.face_offsets) + array_bytes(topology.corner_vertices) +
-         array_bytes(topology.corner_edges) + array_bytes(topology.edge_vertices) +
+  return sizeof(ControlMesh) + attribute_bytes(mesh) + halfedge_bytes(mesh.halfedges()) +
+         mesh.positions().size_bytes() + array_bytes(topology.face_offsets) +
+         array_bytes(topology.corner_vertices) + array_bytes(topology.corner_edges) +
+         array_bytes(topology.corner_twins) + array_bytes(topology.edge_vertices) +
          array_bytes(topology.edge_corners) + array_bytes(topology.vertex_offsets) +
          array_bytes(topology.vertex_corners) + array_bytes(topology.corner_faces);
 }

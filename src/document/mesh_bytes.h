@@ -6,7 +6,12 @@
 
 namespace limn {
 
-/// Memory that a control mesh holds: its half-edges with their properties, and the flat arrays.
+/// Memory that a control mesh's attributes hold: what it costs beside another mesh of the same
+/// surface.
+[[nodiscard]] std::size_t attribute_bytes(const ControlMesh& mesh);
+
+/// Memory that a control mesh holds: its half-edges with their properties, the flat arrays and the
+/// attributes.
 [[nodiscard]] std::size_t mesh_bytes(const ControlMesh& mesh);
 
 }  // namespace limn

@@ -71,6 +71,10 @@ Result<Refinement> derive_refinement(const ControlMesh& control, const VertexLab
   if (!mesh) {
     return tl::unexpected(std::move(mesh.error()));
   }
+  mesh->creasing = control.creases().method;
+  if (!control.is_closed()) {
+    mesh->corner_rule = options.settings.corners;
+  }
   derived.mesh = std::make_shared<const RefinedMesh>(*std::move(mesh));
   derived.refine_seconds = refining.seconds();
 

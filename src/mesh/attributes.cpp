@@ -26,8 +26,8 @@ std::array<std::uint32_t, 2> rising(std::uint32_t a, std::uint32_t b) {
 }
 
 /// The edges whose lower end is flagged, sorted by their ends.
-std::vector<NamedEdge> edges_at(const std::vector<std::uint8_t>& is_named,
-                                const WorkingFaces& faces, const EdgeMatching& edges) {
+std::vector<NamedEdge> edges_at(const std::vector<std::uint8_t>& is_named, const FaceArrays& faces,
+                                const EdgeMatching& edges) {
   std::vector<NamedEdge> result;
   for (std::size_t f = 0; f + 1 < faces.offsets.size(); ++f) {
     std::uint32_t last = faces.offsets[f + 1] - 1;
@@ -59,13 +59,13 @@ std::vector<float> without_zeros_alone(std::vector<float> sharpness) {
 
 }  // namespace
 
-std::vector<float> edge_sharpness(const PolygonSoup& soup, const WorkingFaces& faces,
+std::vector<float> edge_sharpness(std::span<const CreaseTag> tags, const FaceArrays& faces,
                                   const EdgeMatching& edges, ImportReport& report) {
-  if (soup.creases.empty()) {
+  if (tags.empty()) {
     return {};
   }
   std::vector<std::uint8_t> is_named(faces.vertex_count, 0);
-  for (const CreaseTag& tag : soup.creases) {
+  for (const CreaseTag& tag : tags) {
     const std::uint32_t low = std::min(tag.vertices[0], tag.vertices[1]);
     if (low < is_named.size()) {
       is_named[low] = 1;
@@ -73,7 +73,7 @@ std::vector<float> edge_sharpness(const PolygonSoup& soup, const WorkingFaces& f
   }
   const std::vector<NamedEdge> named = edges_at(is_named, faces, edges);
   std::vector<float> sharpness(edges.edge_corners.size(), 0.0f);
-  for (const CreaseTag& tag : soup.creases) {
+  for (const CreaseTag& tag : tags) {
     const auto ends = rising(tag.vertices[0], tag.vertices[1]);
     const auto found = std::ranges::lower_bound(named, ends, {}, &NamedEdge::ends);
     if (found == named.end() || found->ends != ends) {

@@ -7,15 +7,15 @@
 #include "limn/mesh/build.h"
 #include "limn/mesh/texture_coordinates.h"
 #include "mesh/edge_matching.h"
-#include "mesh/mending.h"
 
 // From what a soup's tags say to what a control mesh carries.
 namespace limn::detail {
 
-/// Sharpness of every edge of the matching, or nothing where no edge is sharp. `faces` still has
-/// the soup's vertex numbers. Counts lost tags and negative values in `report`.
-[[nodiscard]] std::vector<float> edge_sharpness(const PolygonSoup& soup, const WorkingFaces& faces,
-                                                const EdgeMatching& edges, ImportReport& report);
+/// Sharpness of every edge of the matching, or nothing where no edge is sharp. The tags name
+/// vertices of `faces`. Counts lost tags and negative values in `report`.
+[[nodiscard]] std::vector<float> edge_sharpness(std::span<const CreaseTag> tags,
+                                                const FaceArrays& faces, const EdgeMatching& edges,
+                                                ImportReport& report);
 
 /// Sharpness of every vertex, or nothing where none is sharp. `vertex_sources` has the soup's
 /// vertex for each.

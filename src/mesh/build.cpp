@@ -262,7 +262,8 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
   MeshAttributes attributes;
   attributes.creases.method = soup.creasing;
   attributes.corners = soup.corner_rule;
-  attributes.creases.edge_sharpness = detail::edge_sharpness(soup, faces, edges, report);
+  attributes.creases.edge_sharpness =
+      detail::edge_sharpness(soup.creases, faces.arrays(), edges, report);
   const detail::Fans fans = detail::separate_fans(faces, edges);
   attributes.creases.vertex_sharpness = detail::vertex_sharpness(soup, fans.vertex_sources, report);
   attributes.texture = detail::texture_coordinates(soup, std::move(faces.uvs), report);

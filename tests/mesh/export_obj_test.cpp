@@ -1,10 +1,13 @@
 #include "limn/mesh/export.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -12,6 +15,7 @@
 
 #include "limn/mesh/import.h"
 #include "mesh/mesh_checks.h"
+#include "support/attribute_shapes.h"
 #include "support/scratch_folder.h"
 
 namespace limn {
@@ -109,6 +113,61 @@ TEST(WriteObj, FloatsComeBackBitForBit) {
   }
 }
 
+TEST(WriteObj, RefinedMeshWithAllItCarries) {
+  RefinedMesh mesh = strip();
+  mesh.creases = {{{1, 2}, 0.7F}, {{4, 5}, kInfiniteSharpness}};
+  mesh.corners = {{3, 1.5F}};
+  mesh.creasing = CreasingMethod::kChaikin;
+  mesh.corner_rule = CornerRule::kSmooth;
+  EXPECT_THAT(text_of(mesh, {}), testing::EndsWith("f 1 2 3 4\nf 6 5 8 9\nf 2 5 6 7 3\n"
+                                                   "t crease 2/1/0 1 2 0.7\n"
+                                                   "t crease 2/1/0 4 5 10\n"
+                                                   "t corner 1/1/0 3 1.5\n"
+                                                   "t interpolateboundary 1/0/0 2\n"
+                                                   "t creasemethod 0/0/1 chaikin\n"));
+  mesh.normals.assign(9, {0.0F, 0.0F, 1.0F});
+  EXPECT_THAT(text_of(mesh, {}), HasSubstr("\nvn 0 0 1\nf 1//1 2//2 3//3 4//4\n"));
+  mesh.uvs = {{0.0F, 0.0F}, {0.5F, 0.0F}, {0.5F, 0.1F}};
+  mesh.quad_uvs = {{0, 1, 2, 0}, {2, 2, 1, 0}};
+  mesh.polygon_uvs = {0, 1, 1, 2, 2};
+  EXPECT_THAT(text_of(mesh, {}), HasSubstr("\nvt 0 0\nvt 0.5 0\nvt 0.5 0.1\nvn 0 0 1\n"));
+  EXPECT_THAT(text_of(mesh, {}), HasSubstr("\nf 1/1/1 2/2/2 3/3/3 4/1/4\n"));
+  mesh.normals.clear();
+  EXPECT_THAT(text_of(mesh, {}),
+              HasSubstr("\nf 1/1 2/2 3/3 4/1\nf 6/3 5/3 8/2 9/1\nf 2/1 5/2 6/2 7/3 3/3\n"));
+}
+
+TEST(WriteObj, AttributesComeBackBitForBit) {
+  std::vector<test::NamedShape> shapes = test::creased_shapes();
+  for (test::NamedShape& shape : test::textured_shapes()) {
+    shapes.push_back(std::move(shape));
+  }
+  test::Random random(7);
+  for (int i = 0; i < 20; ++i) {
+    const auto soup = test::with_mixed_faces(test::torus_soup(8, 7), random);
+    const auto creased = test::with_random_creases(*test::control_mesh(soup), 0.3, 0.1, random);
+    shapes.push_back(
+        {"random " + std::to_string(i), test::with_random_charts(*creased, 4, random)});
+  }
+  for (const CornerRule rule : {CornerRule::kSharp, CornerRule::kSmooth}) {
+    MeshAttributes attributes = test::grid(2)->attributes();
+    attributes.corners = rule;
+    shapes.push_back({"corner rule", std::make_shared<const ControlMesh>(
+                                         test::grid(2)->with_attributes(attributes))});
+  }
+  for (const auto& [name, mesh] : shapes) {
+    SCOPED_TRACE(name);
+    const auto again = import_obj(text_of(*mesh, {}), "written");
+    ASSERT_TRUE(again.has_value()) << to_string(again.error());
+    EXPECT_THAT(again->report.sentences(), IsEmpty());
+    EXPECT_EQ(faces_of(*again->mesh), faces_of(*mesh));
+    EXPECT_EQ(again->mesh->creases(), mesh->creases());
+    EXPECT_EQ(again->mesh->texture(), mesh->texture());
+    EXPECT_EQ(again->mesh->attributes().corners, mesh->attributes().corners);
+    EXPECT_EQ(text_of(*again->mesh, {}), text_of(*mesh, {}));
+  }
+}
+
 TEST(WriteObj, AMeshWithAnOriginComesBackInWorldCoordinates) {
   RefinedMesh mesh = strip();
   mesh.origin = {1e9, -2e6, 0.0};
@@ -164,6 +223,38 @@ TEST(RefinedMesh, BecomesAHalfedgeMeshWithTheSameNumbers) {
   }
   EXPECT_EQ(halfedges.point(OpenMesh::VertexHandle(4))[2], double{0.1F});
   EXPECT_EQ(mesh.bytes(), 9 * 12 + 9 + 2 * 16 + 2 * 4 + 5 * 4 + 3 * 4 + 3U);
+}
+
+TEST(RefinedMesh, BecomesAControlMeshWithAllItCarries) {
+  RefinedMesh mesh = strip();
+  mesh.origin = {1e9, -2e6, 0.5};
+  mesh.creases = {{{2, 1}, 0.7F}, {{4, 5}, kInfiniteSharpness}};
+  mesh.corners = {{3, 1.5F}};
+  mesh.creasing = CreasingMethod::kChaikin;
+  mesh.corner_rule = CornerRule::kSmooth;
+  mesh.uvs = {{0.0F, 0.0F}, {0.5F, 0.0F}, {0.5F, 0.1F}};
+  mesh.quad_uvs = {{0, 1, 2, 0}, {2, 2, 1, 0}};
+  mesh.polygon_uvs = {0, 1, 1, 2, 2};
+  const auto control = to_control_mesh(mesh);
+  EXPECT_THAT(test::faults_of(*control), IsEmpty());
+  EXPECT_EQ(faces_of(*control),
+            (std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3}, {5, 4, 7, 8}, {1, 4, 5, 6, 2}}));
+  EXPECT_EQ(control->positions()[5], mesh.position(5));
+  ASSERT_EQ(control->creases().edge_sharpness.size(), control->edge_count());
+  for (std::size_t e = 0; e < control->edge_count(); ++e) {
+    const auto [a, b] = control->topology().edge_vertices[e];
+    const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(a, b);
+    EXPECT_EQ(control->creases().edge_sharpness[e], ends == std::pair(1U, 2U)   ? 0.7F
+                                                    : ends == std::pair(4U, 5U) ? kInfiniteSharpness
+                                                                                : 0.0F);
+  }
+  EXPECT_THAT(control->creases().vertex_sharpness,
+              testing::ElementsAre(0, 0, 0, 1.5F, 0, 0, 0, 0, 0));
+  EXPECT_EQ(control->creases().method, CreasingMethod::kChaikin);
+  EXPECT_EQ(control->attributes().corners, CornerRule::kSmooth);
+  EXPECT_THAT(control->texture().corner_values,
+              testing::ElementsAre(0, 1, 2, 0, 2, 2, 1, 0, 0, 1, 1, 2, 2));
+  EXPECT_EQ(control->texture().values[2], glm::dvec2(0.5, double{0.1F}));
 }
 
 TEST(RefinedMesh, BecomesAHalfedgeMeshInWorldCoordinates) {

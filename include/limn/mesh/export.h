@@ -15,10 +15,14 @@ namespace limn {
 /// the same number back: the float, or the double where the mesh has an origin of its own.
 /// `depths[f]`, the depth of control face f, groups the faces by `usemtl depth_N`, which other
 /// programs keep. Pass an empty span to leave the groups out. Faces keep their order, so a group
-/// statement stands wherever the depth changes.
+/// statement stands wherever the depth changes. Texture coordinates and limit normals are written
+/// where the mesh has them, and what is still sharp as `t crease` and `t corner` tags with the
+/// sharpness that remains, so that whoever goes on subdividing gets the same surface (forms:
+/// mesh/import.h).
 void write_obj(std::ostream& out, const RefinedMesh& mesh, std::span<const std::uint8_t> depths);
 
-/// The same for a control mesh. Read back, the text gives the same mesh to the last bit.
+/// The same for a control mesh. Read back, the text gives the same mesh and attributes to the last
+/// bit, texture coordinates that no corner uses excepted.
 void write_obj(std::ostream& out, const ControlMesh& mesh, std::span<const std::uint8_t> depths);
 
 /// Writes the same text to a file atomically: it holds the old contents or all of the new ones,

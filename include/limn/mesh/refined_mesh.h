@@ -3,16 +3,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "limn/mesh/creases.h"
 #include "limn/mesh/halfedge_mesh.h"
 #include "limn/mesh/large_array.h"
 
 namespace limn {
+
+class ControlMesh;
 
 /// An edge of a refined mesh that is still sharp. Boundary edges are not listed.
 struct RefinedCrease {
@@ -69,6 +74,10 @@ struct RefinedMesh {
   /// What is still sharp, with the sharpness that remains at the level an edge or vertex was made.
   std::vector<RefinedCrease> creases;
   std::vector<RefinedCorner> corners;
+  /// By what rules it goes on: how sharpness wears off, and what becomes of boundary corners, where
+  /// there is a boundary.
+  CreasingMethod creasing = CreasingMethod::kUniform;
+  std::optional<CornerRule> corner_rule;
 
   [[nodiscard]] std::size_t vertex_count() const noexcept { return positions.size(); }
   [[nodiscard]] std::size_t polygon_count() const noexcept { return polygon_offsets.size() - 1; }
@@ -86,5 +95,9 @@ struct RefinedMesh {
 /// The refined mesh as a half-edge mesh with the same vertex and face numbers, in world
 /// coordinates.
 [[nodiscard]] HalfedgeMesh to_halfedge_mesh(const RefinedMesh& mesh);
+
+/// The refined mesh as a control mesh with the same vertex and face numbers, in world coordinates.
+/// It carries on what is still sharp, the rules and the texture coordinates.
+[[nodiscard]] std::shared_ptr<const ControlMesh> to_control_mesh(const RefinedMesh& mesh);
 
 }  // namespace limn
