@@ -83,6 +83,48 @@ class SettingsCommand final : public Command {
   SubdivisionSettings other_;
 };
 
+/// What keeping `mesh` costs whoever does, beside what the document keeps anyway.
+std::size_t bytes_beside(const Document& document, const ControlMesh& mesh) {
+  const auto shares_surface = [&](const std::shared_ptr<const ControlMesh>& other) {
+    return other != nullptr && &other->topology() == &mesh.topology();
+  };
+  if (&mesh == document.control.get() || &mesh == document.opened.get()) {
+    return 0;
+  }
+  return shares_surface(document.control) || shares_surface(document.opened)
+             ? sizeof(ControlMesh) + attribute_bytes(mesh)
+             : mesh_bytes(mesh);
+}
+
+class AttributesCommand final : public Command {
+ public:
+  AttributesCommand(std::shared_ptr<const ControlMesh> control, std::string name)
+      : other_(std::move(control)),
+        mesh_bytes_(sizeof(ControlMesh) + attribute_bytes(*other_)),
+        name_(std::move(name)) {}
+
+  void apply(Document& document) override { swap_with(document); }
+  void revert(Document& document) override { swap_with(document); }
+  [[nodiscard]] std::size_t bytes() const noexcept override {
+    return sizeof(*this) + mesh_bytes_ + name_.capacity();
+  }
+  [[nodiscard]] std::string name() const override { return name_; }
+
+ private:
+  void swap_with(Document& document) {
+    LIMN_EXPECTS(&document.control->topology() == &other_->topology());
+    if (document.control != other_) {
+      std::swap(document.control, other_);
+      ++document.revisions.control;
+    }
+    mesh_bytes_ = bytes_beside(document, *other_);
+  }
+
+  std::shared_ptr<const ControlMesh> other_;
+  std::size_t mesh_bytes_;
+  std::string name_;
+};
+
 /// What another control mesh brings with it.
 struct ControlState {
   std::shared_ptr<const ControlMesh> control;
@@ -129,8 +171,7 @@ class ReplaceCommand final : public Command {
     document.revisions.control += is_other_mesh ? 1 : 0;
     document.revisions.depths += is_other_painting ? 1 : 0;
     document.revisions.stage += is_other_stage ? 1 : 0;
-    const bool is_shared = other_.control == document.opened || other_.control == document.control;
-    mesh_bytes_ = is_shared ? 0 : mesh_bytes(*other_.control);
+    mesh_bytes_ = bytes_beside(document, *other_.control);
   }
 
   ControlState other_;
@@ -150,6 +191,12 @@ std::unique_ptr<Command> stage_command(Stage stage, std::string name) {
 
 std::unique_ptr<Command> settings_command(SubdivisionSettings settings) {
   return std::make_unique<SettingsCommand>(settings);
+}
+
+std::unique_ptr<Command> attributes_command(std::shared_ptr<const ControlMesh> control,
+                                            std::string name) {
+  LIMN_EXPECTS(control != nullptr);
+  return std::make_unique<AttributesCommand>(std::move(control), std::move(name));
 }
 
 std::unique_ptr<Command> replace_control_command(std::shared_ptr<const ControlMesh> control,

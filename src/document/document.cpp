@@ -19,6 +19,7 @@ Document make_document(ImportedMesh mesh, std::string name, std::filesystem::pat
   Document document;
   document.depths = FaceDepths(mesh.mesh->face_count());
   document.control = mesh.mesh;
+  document.settings.corners = mesh.mesh->attributes().corners.value_or(document.settings.corners);
   document.opened = std::move(mesh.mesh);
   document.name = std::move(name);
   document.mesh_path = std::move(mesh_path);

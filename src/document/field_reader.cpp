@@ -124,4 +124,10 @@ std::string FieldReader::text(std::string_view path) {
   return *value;
 }
 
+void FieldReader::expect_long_list(std::string_view path, bool is_there) {
+  if (!is_there) {
+    complain(path, find(path) == nullptr ? "is missing." : "must be a list.");
+  }
+}
+
 }  // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "json_lists.h"
+#include "limn/contract.h"
 #include "limn/error.h"
 
 namespace limn {
@@ -28,6 +30,13 @@ struct Named {
   T value;
 };
 
+template <class T, std::size_t n>
+std::string_view name_of(T value, const std::array<Named<T>, n>& choices) {
+  const auto found = std::ranges::find(choices, value, &Named<T>::value);
+  LIMN_EXPECTS(found != choices.end());
+  return found->name;
+}
+
 /// Looks fields up by their JSON path and remembers the first thing that was wrong, so that one
 /// check at the end is enough. What is asked for after that gives arbitrary values.
 class FieldReader {
@@ -44,6 +53,8 @@ class FieldReader {
   [[nodiscard]] bool is_absent(std::string_view path) const;
   void expect_object(std::string_view path);
   void expect_list(std::string_view path, std::size_t length);
+  /// Of the lists that are kept apart from the fields: complains where one is not there.
+  void expect_long_list(std::string_view path, bool is_there);
 
   double number(std::string_view path, NumberRange range = {});
   std::int64_t whole_number(std::string_view path, std::int64_t low, std::int64_t high);

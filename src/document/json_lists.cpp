@@ -52,6 +52,37 @@ std::string reason_of(const nlohmann::detail::exception& exception) {
   return shortened(std::string(reason));
 }
 
+/// One of a mesh's long lists: where it stands, where it goes, and what to say of misfits.
+struct ListKind {
+  std::string_view key;
+  NumberRows MeshLists::*numbers;  ///< One of the two is set.
+  IndexRows MeshLists::*indices;
+  std::size_t row_length;    ///< Of numbers; indices are three or more.
+  std::string_view row;      ///< What every element must be,
+  std::string_view element;  ///< what every element of that must be,
+  std::string_view entries;  ///< what those are called, and what is wrong with another
+  std::string_view length;   ///< number of them.
+};
+
+constexpr std::array<ListKind, 6> kListKinds{{
+    {"positions", &MeshLists::positions, nullptr, 3, "must be a list of three numbers.",
+     "must be a number.", "coordinates", "a position has three."},
+    {"faces", nullptr, &MeshLists::faces, 0, "must be a list of vertex numbers.",
+     "must be the number of a vertex: a whole number from 0 on.", "vertices",
+     "a face has three or more."},
+    {"uvs", &MeshLists::uvs, nullptr, 2, "must be a list of two numbers.", "must be a number.",
+     "coordinates", "a texture point has two."},
+    {"face_uvs", nullptr, &MeshLists::face_uvs, 0, "must be a list of texture point numbers.",
+     "must be the number of a texture point: a whole number from 0 on.", "texture points",
+     "a face has three or more."},
+    {"creases", &MeshLists::creases, nullptr, 3,
+     "must be a list of two vertex numbers and a sharpness.", "must be a number.", "entries",
+     "a crease has three."},
+    {"corners", &MeshLists::corners, nullptr, 2,
+     "must be a list of a vertex number and a sharpness.", "must be a number.", "entries",
+     "a corner has two."},
+}};
+
 class Reader final : public nlohmann::json_sax<json> {
  public:
   Reader(std::string_view text, const std::string& source) : text_(text), source_(source) {}
@@ -86,8 +117,6 @@ class Reader final : public nlohmann::json_sax<json> {
   }
 
  private:
-  enum class List { kNone, kDepths, kPositions, kFaces };
-
   struct Level {
     bool is_list = false;
     std::size_t begun = 0;  ///< Elements of a list so far, the current one included.
@@ -159,7 +188,7 @@ class Reader final : public nlohmann::json_sax<json> {
   template <class T>
   bool value(T v) {
     begin_value();
-    if (list_ == List::kNone) {
+    if (!is_in_list_) {
       keep_field(JsonValue(std::move(v)));
     } else if (!is_misfit_) {
       keep_element(v);
@@ -169,57 +198,57 @@ class Reader final : public nlohmann::json_sax<json> {
 
   template <class T>
   void keep_element(const T& v) {
-    const bool is_in_row = levels_.size() == list_level_ + 1;
-    if (list_ == List::kPositions && is_in_row) {
+    if (kind_ == nullptr) {
+      keep_depth(v);
+    } else if (levels_.size() != list_level_ + 1) {
+      misfit(kind_->row);
+    } else if (kind_->numbers != nullptr) {
       if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
-        lists_->positions.push_back(static_cast<double>(v));
+        (lists_->*kind_->numbers).numbers.push_back(static_cast<double>(v));
       } else {
-        misfit("must be a number.");
+        misfit(kind_->element);
       }
-      return;
-    }
-    if (list_ == List::kFaces && is_in_row) {
+    } else {
       if constexpr (std::is_same_v<T, std::uint64_t>) {
         if (v < 0xFFFFFFFFU) {
-          lists_->face_vertices.push_back(static_cast<std::uint32_t>(v));
+          (lists_->*kind_->indices).indices.push_back(static_cast<std::uint32_t>(v));
           return;
         }
       }
-      misfit("must be the number of a vertex: a whole number from 0 on.");
-      return;
+      misfit(kind_->element);
     }
-    if (list_ == List::kDepths) {
-      if constexpr (std::is_same_v<T, std::uint64_t>) {
-        if (v <= std::uint64_t{kMaxDepth}) {
-          out_.depths.push_back(static_cast<std::uint8_t>(v));
-          return;
-        }
-      }
-      misfit(fmt::format("must be a depth: a whole number from 0 to {}.", kMaxDepth));
-      return;
-    }
-    misfit(list_ == List::kPositions ? "must be a list of three numbers."
-                                     : "must be a list of vertex numbers.");
   }
 
-  /// The long list that begins at the current path, if one does.
-  List list_here() {
+  template <class T>
+  void keep_depth(const T& v) {
+    if constexpr (std::is_same_v<T, std::uint64_t>) {
+      if (v <= std::uint64_t{kMaxDepth}) {
+        out_.depths.push_back(static_cast<std::uint8_t>(v));
+        return;
+      }
+    }
+    misfit(fmt::format("must be a depth: a whole number from 0 to {}.", kMaxDepth));
+  }
+
+  /// Whether one of the long lists begins at the current path; sets which.
+  bool is_list_here() {
     if (levels_.size() == 1 && levels_[0].key == "depths") {
-      return List::kDepths;
+      kind_ = nullptr;
+      return true;
     }
     if (levels_.size() != 2 || levels_[0].is_list || levels_[1].is_list) {
-      return List::kNone;
+      return false;
     }
     if (levels_[0].key == "mesh") {
       lists_ = &out_.mesh;
     } else if (levels_[0].key == "opened_mesh") {
       lists_ = &out_.opened_mesh;
     } else {
-      return List::kNone;
+      return false;
     }
-    return levels_[1].key == "positions" ? List::kPositions
-           : levels_[1].key == "faces"   ? List::kFaces
-                                         : List::kNone;
+    const auto found = std::ranges::find(kListKinds, levels_[1].key, &ListKind::key);
+    kind_ = found == kListKinds.end() ? nullptr : &*found;
+    return kind_ != nullptr;
   }
 
   bool open(bool is_list) {
@@ -231,42 +260,40 @@ class Reader final : public nlohmann::json_sax<json> {
                 source_, 0};
       return false;
     }
-    if (list_ != List::kNone) {
-      const bool is_row = is_list && levels_.size() == list_level_ && list_ != List::kDepths;
+    if (is_in_list_) {
+      const bool is_row = is_list && levels_.size() == list_level_ && kind_ != nullptr;
       if (!is_row && !is_misfit_) {
         keep_element(JsonNull{});  // As wrong here as any other value, and for the same reason.
       }
       levels_.push_back({is_list, 0, {}});
       return true;
     }
-    const List begun =
-        is_list && !levels_.empty() && !levels_[0].is_list ? list_here() : List::kNone;
-    if (begun == List::kNone) {
-      keep_field(is_list ? JsonValue(JsonList{}) : JsonValue(JsonObject{}));
+    if (is_list && !levels_.empty() && !levels_[0].is_list && is_list_here()) {
+      begin_list();
     } else {
-      begin_list(begun);
+      keep_field(is_list ? JsonValue(JsonList{}) : JsonValue(JsonObject{}));
     }
     levels_.push_back({is_list, 0, {}});
     return true;
   }
 
-  void begin_list(List list) {
-    bool& is_there = list == List::kDepths      ? out_.has_depths
-                     : list == List::kPositions ? lists_->has_positions
-                                                : lists_->has_faces;
+  void begin_list() {
+    bool& is_there = kind_ == nullptr            ? out_.has_depths
+                     : kind_->numbers != nullptr ? (lists_->*kind_->numbers).is_there
+                                                 : (lists_->*kind_->indices).is_there;
     if (is_there) {
       misfit("stands there twice.");
     }
     is_there = true;
-    list_ = list;
+    is_in_list_ = true;
     list_level_ = levels_.size() + 1;
   }
 
   bool close() {
-    if (list_ != List::kNone && levels_.size() == list_level_) {
-      list_ = List::kNone;
+    if (is_in_list_ && levels_.size() == list_level_) {
+      is_in_list_ = false;
     }
-    if (list_ != List::kNone && levels_.size() == list_level_ + 1 && !is_misfit_) {
+    if (is_in_list_ && levels_.size() == list_level_ + 1 && !is_misfit_) {
       end_row(levels_.back().begun);
     }
     levels_.pop_back();
@@ -276,13 +303,12 @@ class Reader final : public nlohmann::json_sax<json> {
   void end_row(std::size_t length) {
     Level row = std::move(levels_.back());
     levels_.pop_back();
-    if (list_ == List::kPositions && length != 3) {
-      misfit(fmt::format("has {} coordinates; a position has three.", length));
-    } else if (list_ == List::kFaces) {
-      if (length < 3) {
-        misfit(fmt::format("has {} vertices; a face has three or more.", length));
-      }
-      lists_->face_offsets.push_back(static_cast<std::uint32_t>(lists_->face_vertices.size()));
+    if (kind_->numbers != nullptr ? length != kind_->row_length : length < 3) {
+      misfit(fmt::format("has {} {}; {}", length, kind_->entries, kind_->length));
+    }
+    if (kind_->indices != nullptr) {
+      IndexRows& rows = lists_->*kind_->indices;
+      rows.offsets.push_back(static_cast<std::uint32_t>(rows.indices.size()));
     }
     levels_.push_back(std::move(row));
   }
@@ -293,8 +319,9 @@ class Reader final : public nlohmann::json_sax<json> {
   Error error_;
   bool is_misfit_ = false;  ///< The lists are not listened to any more.
   std::vector<Level> levels_;
-  List list_ = List::kNone;
-  std::size_t list_level_ = 0;  ///< Size of `levels_` directly inside the list.
+  bool is_in_list_ = false;
+  const ListKind* kind_ = nullptr;  ///< Of the list; nullptr for the depths.
+  std::size_t list_level_ = 0;      ///< Size of `levels_` directly inside the list.
   MeshLists* lists_ = nullptr;
 };
 

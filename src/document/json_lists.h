@@ -23,13 +23,27 @@ struct JsonField {
   JsonValue value;
 };
 
+/// A list of rows of numbers, all of one length.
+struct NumberRows {
+  bool is_there = false;
+  std::vector<double> numbers;
+};
+
+/// A list of rows of indices, of three or more each. What they index is not checked.
+struct IndexRows {
+  bool is_there = false;
+  std::vector<std::uint32_t> offsets{0};
+  std::vector<std::uint32_t> indices;
+};
+
 /// The long lists of a mesh, as flat as they are going to be used.
 struct MeshLists {
-  bool has_positions = false;
-  std::vector<double> positions;  ///< Three a vertex.
-  bool has_faces = false;
-  std::vector<std::uint32_t> face_offsets{0};
-  std::vector<std::uint32_t> face_vertices;  ///< Not checked against the number of positions.
+  NumberRows positions;  ///< Three a vertex.
+  IndexRows faces;
+  NumberRows uvs;      ///< Two a texture point.
+  IndexRows face_uvs;  ///< A texture point for each corner of `faces`.
+  NumberRows creases;  ///< Two vertices and a sharpness.
+  NumberRows corners;  ///< A vertex and a sharpness.
 };
 
 /// A project file's text, taken apart: the long lists apart from the rest, so that memory stays

@@ -15,9 +15,9 @@
 
 #include "field_reader.h"
 #include "json_lists.h"
+#include "json_writer.h"
 #include "limn/atomic_file.h"
-#include "limn/mesh/build.h"
-#include "limn/mesh/polygon_soup.h"
+#include "project_mesh.h"
 #include "regular_file.h"
 #include "view_json.h"
 
@@ -25,7 +25,9 @@ namespace limn {
 namespace {
 
 constexpr std::string_view kFormat = "limn-project";
-constexpr std::int64_t kVersion = 1;
+/// 2 brought creases, corners and texture coordinates. A project without them is still written as
+/// version 1, for programs that know no other.
+constexpr std::int64_t kVersion = 2;
 /// Some five million control faces; a file beyond this is no painting.
 constexpr std::size_t kMostProjectBytes = std::size_t{1} << 30U;
 
@@ -34,80 +36,16 @@ constexpr std::array<Named<NonQuadRule>, 2> kNonQuadRules{
      {"where-painted", NonQuadRule::kWherePainted}}};
 constexpr std::array<Named<LegalisationMethod>, 1> kLegalisations{
     {{"greedy", LegalisationMethod::kGreedy}}};
-constexpr std::array<Named<CornerRule>, 2> kCornerRules{
-    {{"sharp", CornerRule::kSharp}, {"smooth", CornerRule::kSmooth}}};
-
-template <class T, std::size_t n>
-std::string_view name_of(T value, const std::array<Named<T>, n>& choices) {
-  const auto found = std::find_if(choices.begin(), choices.end(),
-                                  [&](const Named<T>& choice) { return choice.value == value; });
-  LIMN_EXPECTS(found != choices.end());
-  return found->name;
-}
-
 // --- writing
-
-/// Text on its way to a stream, handed over in large pieces.
-class Writer {
- public:
-  explicit Writer(std::ostream& out) : out_(out) {}
-  ~Writer() { flush(); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
-
-  void add(std::string_view text) {
-    buffer_.append(text);
-    if (buffer_.size() > kPiece) {
-      flush();
-    }
-  }
-  template <class Range>
-  void add_list(const Range& items, std::string_view separator, auto&& text_of) {
-    add("[");
-    std::string_view before;
-    for (const auto& item : items) {
-      add(before);
-      add(text_of(item));
-      before = separator;
-    }
-    add("]");
-  }
-
- private:
-  static constexpr std::size_t kPiece = std::size_t{1} << 16U;
-
-  void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
-  }
-
-  std::ostream& out_;
-  fmt::basic_memory_buffer<char, 2 * kPiece> buffer_;
-};
-
-void write_mesh(Writer& writer, const ControlMesh& mesh) {
-  writer.add("{\n    \"positions\": [");
-  std::string_view before = "\n      ";
-  for (const glm::dvec3& p : mesh.positions()) {
-    writer.add(before);
-    writer.add(fmt::format("[{}, {}, {}]", json_number(p.x), json_number(p.y), json_number(p.z)));
-    before = ",\n      ";
-  }
-  writer.add("\n    ],\n    \"faces\": [");
-  before = "\n      ";
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    writer.add(before);
-    writer.add_list(mesh.face(f), ", ", [](std::uint32_t v) { return fmt::format_int(v).str(); });
-    before = ",\n      ";
-  }
-  writer.add("\n    ]\n  }");
-}
 
 void write_project(std::ostream& out, const Document& document,
                    const std::optional<ViewState>& view) {
-  Writer writer(out);
+  JsonWriter writer(out);
   const std::string mesh_path = document.mesh_path.string();
-  writer.add(fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n", kFormat, kVersion));
+  const bool is_plain = !has_attributes(*document.control) &&
+                        (document.opened == nullptr || !has_attributes(*document.opened));
+  writer.add(fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n", kFormat,
+                         is_plain ? 1 : kVersion));
   writer.add(fmt::format("  \"name\": {},\n", json_quoted(document.name)));
   // A path that is not UTF-8 cannot be said in JSON; a changed one would name another file.
   writer.add(
@@ -129,10 +67,10 @@ void write_project(std::ostream& out, const Document& document,
   writer.add_list(document.depths.values(), ", ",
                   [](std::uint8_t depth) { return fmt::format_int(depth).str(); });
   writer.add(",\n  \"mesh\": ");
-  write_mesh(writer, *document.control);
+  write_project_mesh(writer, *document.control);
   if (document.opened != nullptr && document.opened != document.control) {
     writer.add(",\n  \"opened_mesh\": ");
-    write_mesh(writer, *document.opened);
+    write_project_mesh(writer, *document.opened);
   }
   writer.add("\n}\n");
 }
@@ -144,56 +82,6 @@ bool is_finite(const ControlMesh& mesh) {
 }
 
 // --- reading
-
-/// Complaints about a list as a whole: not there, or something else in its place.
-void expect_long_list(FieldReader& fields, std::string_view path, bool is_there) {
-  if (!is_there) {
-    fields.complain(path, fields.find(path) == nullptr ? "is missing." : "must be a list.");
-  }
-}
-
-/// The first face corner that names a vertex which is not there.
-void check_vertex_numbers(FieldReader& fields, const std::string& path, const MeshLists& lists) {
-  const std::size_t vertices = lists.positions.size() / 3;
-  const auto beyond = std::find_if(lists.face_vertices.begin(), lists.face_vertices.end(),
-                                   [&](std::uint32_t v) { return v >= vertices; });
-  if (beyond == lists.face_vertices.end()) {
-    return;
-  }
-  const auto corner = static_cast<std::uint32_t>(beyond - lists.face_vertices.begin());
-  const auto end = std::upper_bound(lists.face_offsets.begin(), lists.face_offsets.end(), corner);
-  const auto face = end - lists.face_offsets.begin() - 1;
-  fields.complain(fmt::format("{}/faces/{}/{}", path, face, corner - *(end - 1)),
-                  fmt::format("there is no vertex {}; the mesh has {}.", *beyond, vertices));
-}
-
-Result<ImportedMesh> build(const std::string& path, MeshLists lists, const std::string& source) {
-  PolygonSoup soup;
-  soup.positions.reserve(lists.positions.size() / 3);
-  for (std::size_t i = 0; i + 2 < lists.positions.size(); i += 3) {
-    soup.positions.emplace_back(lists.positions[i], lists.positions[i + 1], lists.positions[i + 2]);
-  }
-  soup.face_offsets = std::move(lists.face_offsets);
-  soup.face_vertices = std::move(lists.face_vertices);
-  soup.source = source;
-  Result<ImportedMesh> mesh = build_control_mesh(soup);
-  if (!mesh) {
-    Error error = std::move(mesh.error());
-    error.message = fmt::format("{}: {}", path, error.message);
-    error.path = source;
-    return tl::unexpected(std::move(error));
-  }
-  if (mesh->report.is_mended()) {
-    // Whatever was painted belongs to the mesh as it was saved; nobody can tell where it would go.
-    std::string message = path + ": is damaged and is not mended in a project.";
-    for (const std::string& sentence : mesh->report.sentences()) {
-      message += " " + sentence;
-    }
-    return fail(ErrorKind::kBadInput, std::move(message), source);
-  }
-  LIMN_EXPECTS(mesh->mesh->face_count() == soup.face_count());
-  return mesh;
-}
 
 /// "Not ours" and "newer than this program" come before any other complaint.
 std::optional<Error> check_format(const ProjectText& text, const std::string& source) {
@@ -244,7 +132,8 @@ struct Header {
   SubdivisionSettings settings;
   Stage stage;
   std::optional<ViewState> view;
-  bool has_opened_mesh = false;
+  MeshRules mesh;
+  std::optional<MeshRules> opened_mesh;
 };
 
 Result<Header> read_header(const ProjectText& text, const std::string& source) {
@@ -257,19 +146,12 @@ Result<Header> read_header(const ProjectText& text, const std::string& source) {
   if (!fields.is_absent("/view")) {
     header.view = read_view(fields, "/view");
   }
-  expect_long_list(fields, "/depths", text.has_depths);
-  fields.expect_object("/mesh");
-  expect_long_list(fields, "/mesh/positions", text.mesh.has_positions);
-  expect_long_list(fields, "/mesh/faces", text.mesh.has_faces);
-  check_vertex_numbers(fields, "/mesh", text.mesh);
-  header.has_opened_mesh = !fields.is_absent("/opened_mesh");
-  if (header.has_opened_mesh) {
-    fields.expect_object("/opened_mesh");
-    expect_long_list(fields, "/opened_mesh/positions", text.opened_mesh.has_positions);
-    expect_long_list(fields, "/opened_mesh/faces", text.opened_mesh.has_faces);
-    check_vertex_numbers(fields, "/opened_mesh", text.opened_mesh);
+  fields.expect_long_list("/depths", text.has_depths);
+  header.mesh = read_mesh_rules(fields, "/mesh", text.mesh);
+  if (!fields.is_absent("/opened_mesh")) {
+    header.opened_mesh = read_mesh_rules(fields, "/opened_mesh", text.opened_mesh);
   }
-  const std::size_t faces = text.mesh.face_offsets.size() - 1;
+  const std::size_t faces = text.mesh.faces.offsets.size() - 1;
   if (text.depths.size() != faces) {
     fields.complain("/depths",
                     fmt::format("has {} entries for {} faces.", text.depths.size(), faces));
@@ -281,7 +163,8 @@ Result<Header> read_header(const ProjectText& text, const std::string& source) {
 }
 
 Result<Project> assemble(ProjectText text, Header header, const std::string& source) {
-  Result<ImportedMesh> control = build("/mesh", std::move(text.mesh), source);
+  Result<ImportedMesh> control =
+      build_project_mesh("/mesh", std::move(text.mesh), header.mesh, source);
   if (!control) {
     return tl::unexpected(std::move(control.error()));
   }
@@ -289,8 +172,9 @@ Result<Project> assemble(ProjectText text, Header header, const std::string& sou
   project.document =
       make_document(*std::move(control), std::move(header.name), std::move(header.mesh_path));
   Document& document = project.document;
-  if (header.has_opened_mesh) {
-    Result<ImportedMesh> opened = build("/opened_mesh", std::move(text.opened_mesh), source);
+  if (header.opened_mesh) {
+    Result<ImportedMesh> opened = build_project_mesh("/opened_mesh", std::move(text.opened_mesh),
+                                                     *header.opened_mesh, source);
     if (!opened) {
       return tl::unexpected(std::move(opened.error()));
     }

@@ -4,47 +4,22 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "painting/rule_text.h"
+
 namespace limn {
 namespace {
 
+using rule_text::misread;
+using rule_text::quoted;
+using rule_text::trimmed;
+
 constexpr std::string_view kSelections =
     "\"all\", \"visible\", \"dihedral>DEGREES\" or \"faces=LIST\"";
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
-/// The text in quotes, fit for a message: short, and without control characters.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::size_t length = std::min(text.size(), kLongest);
-  while (length < text.size() && length > 0 &&
-         (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
-    --length;  // Never cut a UTF-8 character in two.
-  }
-  std::string shown = "\"";
-  for (const char c : text.substr(0, length)) {
-    const auto byte = static_cast<unsigned char>(c);
-    shown += byte < 0x20 || byte == 0x7F ? '?' : c;
-  }
-  return shown + (length < text.size() ? "...\"" : "\"");
-}
-
-tl::unexpected<Error> misread(std::string message) {
-  return fail(ErrorKind::kUsage, std::move(message));
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -122,17 +97,14 @@ Result<Selection> face_list(std::string_view list) {
 }
 
 Result<Selection> dihedral_threshold(std::string_view text) {
-  double degrees = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), degrees);
-  const bool is_number = error == std::errc{} && end == text.data() + text.size();
-  // from_chars also reads "nan" and "inf"; the comparison turns both away.
-  if (!is_number || !(degrees >= 0.0 && degrees <= 180.0)) {
+  const std::optional<double> degrees = rule_text::read_degrees(text);
+  if (!degrees) {
     return misread(
         fmt::format("{} after \"dihedral>\" is not an angle; write degrees from 0 to 180, as in "
                     "\"dihedral>30\".",
                     text.empty() ? "Nothing" : quoted(text)));
   }
-  return Selection(SelectDihedral{std::abs(degrees)});  // abs: "-0" is 0.
+  return Selection(SelectDihedral{*degrees});
 }
 
 Result<Selection> parse_selection(std::string_view text) {

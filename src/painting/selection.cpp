@@ -91,23 +91,30 @@ Result<std::vector<std::uint32_t>> select_ranges(const ControlMesh& mesh,
 
 }  // namespace
 
-std::vector<double> face_dihedral_angles(const ControlMesh& mesh) {
-  const std::size_t face_count = mesh.face_count();
-  std::vector<glm::dvec3> normals(face_count);
-  for (std::size_t f = 0; f < face_count; ++f) {
+std::vector<double> edge_dihedral_angles(const ControlMesh& mesh) {
+  std::vector<glm::dvec3> normals(mesh.face_count());
+  for (std::size_t f = 0; f < normals.size(); ++f) {
     normals[f] = newell_normal(mesh.positions(), mesh.face(f));
   }
   const FlatTopology& topology = mesh.topology();
-  std::vector<double> angles(face_count, 0.0);
-  for (const auto& [corner, twin] : topology.edge_corners) {
-    if (twin == kNone) {
-      continue;
+  std::vector<double> angles(mesh.edge_count(), 0.0);
+  for (std::size_t e = 0; e < angles.size(); ++e) {
+    const auto [corner, twin] = topology.edge_corners[e];
+    if (twin != kNone) {
+      angles[e] = degrees_between(normals[topology.corner_faces[corner]],
+                                  normals[topology.corner_faces[twin]]);
     }
-    const std::uint32_t f = topology.corner_faces[corner];
-    const std::uint32_t g = topology.corner_faces[twin];
-    const double angle = degrees_between(normals[f], normals[g]);
-    angles[f] = std::max(angles[f], angle);
-    angles[g] = std::max(angles[g], angle);
+  }
+  return angles;
+}
+
+std::vector<double> face_dihedral_angles(const ControlMesh& mesh) {
+  const std::vector<double> edge_angles = edge_dihedral_angles(mesh);
+  const FlatTopology& topology = mesh.topology();
+  std::vector<double> angles(mesh.face_count(), 0.0);
+  for (std::size_t c = 0; c < topology.corner_edges.size(); ++c) {
+    double& angle = angles[topology.corner_faces[c]];
+    angle = std::max(angle, edge_angles[topology.corner_edges[c]]);
   }
   return angles;
 }

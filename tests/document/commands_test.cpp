@@ -152,6 +152,51 @@ TEST(SettingsCommand, ChangesTheSettingsAlone) {
   EXPECT_EQ(document.settings, other);
 }
 
+/// The document's mesh with all edges sharp.
+Mesh creased(const Document& document, float sharpness) {
+  MeshAttributes attributes = document.control->attributes();
+  attributes.creases.edge_sharpness.assign(document.control->edge_count(), sharpness);
+  return std::make_shared<const ControlMesh>(document.control->with_attributes(attributes));
+}
+
+TEST(AttributesCommand, KeepsDepthsAndStage) {
+  Document document = open("cube");
+  paint(document, {0, 5}, DepthChange::set(4))->apply(document);
+  stage_command({true, 2}, "step")->apply(document);
+  const Mesh sharp = creased(document, 2.0f);
+  const auto command = attributes_command(sharp, "crease 12 edges");
+  expect_undoable(document, *command, {true, false, false});
+  EXPECT_EQ(document.control, sharp);
+  EXPECT_THAT(document.depths.values(), ElementsAre(4, 0, 0, 0, 0, 4));
+  EXPECT_EQ(document.stage, (Stage{true, 2}));
+  EXPECT_EQ(command->name(), "crease 12 edges");
+  const auto nothing = attributes_command(sharp, "nothing");
+  const Revisions before = document.revisions;
+  nothing->apply(document);
+  EXPECT_EQ(document.control, sharp);
+  EXPECT_EQ(counted(before, document.revisions), (std::vector<bool>{false, false, false}));
+}
+
+TEST(AttributesCommand, WeighsAttributesAloneWhileTheSurfaceIsShared) {
+  Document document = open("creature");
+  const std::size_t sharpness_bytes = document.control->edge_count() * sizeof(float);
+  const auto command = attributes_command(creased(document, 2.0f), "crease");
+  EXPECT_GT(command->bytes(), sharpness_bytes);
+  EXPECT_LT(command->bytes(), sharpness_bytes + 1000);
+  command->apply(document);  // What it holds now is the opened mesh.
+  EXPECT_LT(command->bytes(), 1000U);
+  const auto second = attributes_command(creased(document, 3.0f), "crease");
+  second->apply(document);
+  EXPECT_GT(second->bytes(), sharpness_bytes);
+  EXPECT_LT(second->bytes(), sharpness_bytes + 1000);
+  // Another mesh: the creased one shares its surface with the opened one.
+  const auto third = replace_control_command(bundled("grid"), "apply");
+  third->apply(document);
+  EXPECT_LT(third->bytes(), sharpness_bytes + document.opened->face_count() + 1000);
+  revert_command()->apply(document);
+  EXPECT_TRUE(document.control->creases().edge_sharpness.empty());
+}
+
 TEST(ReplaceControlCommand, StartsTheNewMeshUnpainted) {
   Document document = open("cube");
   paint(document, {0, 5}, DepthChange::set(4))->apply(document);
@@ -254,7 +299,9 @@ class RandomCommands {
   std::size_t below(std::size_t n) { return random_() % n; }
 
   std::unique_ptr<Command> next(const Document& document) {
-    switch (below(8)) {
+    switch (below(9)) {
+      case 8:
+        return attributes_command(creased(document, static_cast<float>(below(3))), "crease");
       case 0:
         return stage_command({below(2) == 0, static_cast<int>(below(5))}, "stage");
       case 1:

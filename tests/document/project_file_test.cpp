@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/stat.h>
@@ -14,6 +16,7 @@
 #include "limn/document/commands.h"
 #include "limn/mesh/bundled.h"
 #include "limn/mesh/import.h"
+#include "support/attribute_shapes.h"
 #include "support/scratch_folder.h"
 
 namespace limn {
@@ -46,6 +49,9 @@ void expect_same_mesh(const ControlMesh& a, const ControlMesh& b) {
   // The order around vertices decides how sums round, so it has to come back too.
   EXPECT_EQ(a.topology().vertex_corners, b.topology().vertex_corners);
   EXPECT_EQ(a.topology().edge_vertices, b.topology().edge_vertices);
+  EXPECT_EQ(a.creases(), b.creases());
+  EXPECT_EQ(a.texture(), b.texture());
+  EXPECT_EQ(a.attributes().corners, b.attributes().corners);
 }
 
 void expect_same_document(const Document& a, const Document& b) {
@@ -155,6 +161,86 @@ TEST_F(ProjectFile, AwkwardNumbersComeBackBitForBit) {
   }
 }
 
+TEST_F(ProjectFile, AttributesComeBackBitForBit) {
+  std::vector<test::NamedShape> shapes = test::creased_shapes();
+  for (test::NamedShape& shape : test::textured_shapes()) {
+    shapes.push_back(std::move(shape));
+  }
+  test::Random random(5);
+  const auto creased = test::with_random_creases(*test::mixed_prism(), 0.5, 0.5, random);
+  shapes.push_back({"random", test::with_random_charts(*creased, 3, random)});
+  for (const auto& [name, mesh] : shapes) {
+    SCOPED_TRACE(name);
+    Document document = make_document({mesh, {}}, name);
+    MeshAttributes smooth = mesh->attributes();
+    smooth.corners = CornerRule::kSmooth;
+    smooth.creases = {};
+    attributes_command(std::make_shared<const ControlMesh>(mesh->with_attributes(smooth)), "other")
+        ->apply(document);
+    ASSERT_TRUE(save_project(path_, document, std::nullopt));
+    EXPECT_THAT(read_file(path_), HasSubstr("\"version\": 2,"));
+    const Result<Project> loaded = load_project(path_);
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    expect_same_document(document, loaded->document);
+  }
+}
+
+TEST_F(ProjectFile, WithoutAttributesItIsWrittenForOlderProgramsToo) {
+  EXPECT_THAT(cube_text(), HasSubstr("\"version\": 1,"));
+}
+
+TEST_F(ProjectFile, TheSavedBoundaryRuleWinsOverTheMeshs) {
+  MeshAttributes attributes;
+  attributes.corners = CornerRule::kSmooth;
+  const auto mesh = std::make_shared<const ControlMesh>(test::grid(2)->with_attributes(attributes));
+  Document document = make_document({mesh, {}}, "grid");
+  EXPECT_EQ(document.settings.corners, CornerRule::kSmooth);
+  document.settings.corners = CornerRule::kSharp;
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  EXPECT_EQ(load_project(path_).value().document.settings.corners, CornerRule::kSharp);
+}
+
+TEST_F(ProjectFile, NamesTheCulpritInTheAttributes) {
+  const auto with = [&](std::string_view members) {
+    return complaint_with("\"mesh\": {", "\"mesh\": {" + std::string(members) + ", ");
+  };
+  EXPECT_EQ(with("\"creases\": [[0, 1, 2.5]], \"corners\": [[7, 1]], \"creasing\": \"chaikin\", "
+                 "\"boundary_corners\": \"sharp\""),
+            "was loaded");
+  EXPECT_EQ(with("\"creases\": [], \"corners\": [], \"other\": 3"), "was loaded");
+  EXPECT_THAT(with("\"creases\": [[0, 1]]"), StartsWith("/mesh/creases/0: has 2 entries"));
+  EXPECT_THAT(with("\"creases\": [0, 1, 2]"), StartsWith("/mesh/creases/0: must be a list of two"));
+  EXPECT_THAT(with("\"creases\": 3"), StartsWith("/mesh/creases: must be a list"));
+  EXPECT_THAT(with("\"creases\": [[0, 8, 1]]"), StartsWith("/mesh/creases/0/1: "));
+  EXPECT_THAT(with("\"creases\": [[0, 1, 1], [0, 1.5, 1]]"), StartsWith("/mesh/creases/1/1: "));
+  EXPECT_THAT(with("\"creases\": [[-1, 1, 1]]"), StartsWith("/mesh/creases/0/0: "));
+  EXPECT_THAT(with("\"creases\": [[0, 1, -1]]"), StartsWith("/mesh/creases/0/2: must be a sharp"));
+  EXPECT_THAT(with("\"creases\": [[0, 1, \"inf\"]]"),
+              StartsWith("/mesh/creases/0/2: must be a num"));
+  EXPECT_THAT(with("\"creases\": [[0, 6, 1]]"), HasSubstr("is damaged"));  // No edge.
+  EXPECT_THAT(with("\"corners\": [[8, 1]]"), StartsWith("/mesh/corners/0/0: "));
+  EXPECT_THAT(with("\"corners\": [[1, 1e39]]"), StartsWith("/mesh/corners/0/1: "));
+  EXPECT_THAT(with("\"corners\": [[1, 1]], \"corners\": []"), HasSubstr("twice"));
+  EXPECT_THAT(with("\"creasing\": \"other\""), StartsWith("/mesh/creasing: must be one of"));
+  EXPECT_THAT(with("\"boundary_corners\": 1"), StartsWith("/mesh/boundary_corners: "));
+
+  const std::string faces =
+      "\"face_uvs\": [[0, 1, 2, 0], [0, 1, 2, 0], [0, 1, 2, 0], [0, 1, 2, 0], "
+      "[0, 1, 2, 0], [0, 1, 2, 0]]";
+  const std::string uvs = "\"uvs\": [[0, 0], [1, 0], [0, 1]]";
+  EXPECT_EQ(with(uvs + ", " + faces), "was loaded");
+  EXPECT_THAT(with(uvs), StartsWith("/mesh/face_uvs: is missing"));
+  EXPECT_THAT(with(faces), StartsWith("/mesh/uvs: is missing"));
+  EXPECT_THAT(with("\"uvs\": [[0, 0], [1, 0]], " + faces),
+              StartsWith("/mesh/face_uvs/0/2: there is no texture point 2; the mesh has 2."));
+  EXPECT_THAT(with("\"uvs\": [[0, 0], [1, 0], [0, -1e19]], " + faces),
+              StartsWith("/mesh/uvs/2/1: lies too far out"));
+  EXPECT_THAT(with("\"uvs\": [[0, 0], [1, 0, 0], [0, 1]], " + faces),
+              StartsWith("/mesh/uvs/1: has 3 coordinates"));
+  EXPECT_THAT(with(uvs + ", \"face_uvs\": [[0, 1, 2]]"),
+              StartsWith("/mesh/face_uvs: does not have a texture point for each corner"));
+}
+
 TEST_F(ProjectFile, KeepsTheOpenedMeshForRevert) {
   Document document = opened("cube");
   replace_control_command(load_bundled_mesh("grid").value().mesh, "apply")->apply(document);
@@ -208,7 +294,7 @@ TEST_F(ProjectFile, RefusesWhatIsNotAProject) {
 }
 
 TEST_F(ProjectFile, RefusesNewerVersionsBeforeAnythingElse) {
-  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 2"), HasSubstr("newer"));
+  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 3"), HasSubstr("newer"));
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 0"), StartsWith("/version: "));
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": \"1\""), StartsWith("/version: "));
   EXPECT_THAT(complaint_with("\"version\": 1,", ""), StartsWith("/version: "));

@@ -20,6 +20,11 @@ namespace limn {
 /// Other subdivision settings.
 [[nodiscard]] std::unique_ptr<Command> settings_command(SubdivisionSettings settings);
 
+/// Gives the control mesh other attributes: creases, corner rule, texture coordinates. `control` is
+/// the same surface as the document's, from ControlMesh::with_attributes. Depths and stage stay.
+[[nodiscard]] std::unique_ptr<Command> attributes_command(
+    std::shared_ptr<const ControlMesh> control, std::string name);
+
 /// Replaces the control mesh, unpainted and at stage 0: Apply (the refined mesh becomes the control
 /// mesh).
 [[nodiscard]] std::unique_ptr<Command> replace_control_command(

@@ -52,7 +52,8 @@ struct Document {
   Revisions revisions;
 };
 
-/// A fresh, unpainted document. `mesh.mesh` must be there.
+/// A fresh, unpainted document, with the boundary rule that the mesh asks for. `mesh.mesh` must be
+/// there.
 [[nodiscard]] Document make_document(ImportedMesh mesh, std::string name,
                                      std::filesystem::path mesh_path = {});
 

@@ -45,9 +45,13 @@ using Selection = std::variant<SelectAll, SelectVisible, SelectDihedral, SelectF
 /// Answers `SelectVisible`: the control faces that show, ascending. Supplied by whoever can draw.
 using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
 
+/// The dihedral angle of every edge, in degrees; 0 for boundary edges. Face normals are Newell's,
+/// so non-planar polygons have one too; a face without area has none, and no angle with its
+/// neighbours.
+[[nodiscard]] std::vector<double> edge_dihedral_angles(const ControlMesh& mesh);
+
 /// The largest dihedral angle over each face's edges, in degrees, one entry per face; 0 for a face
-/// with boundary edges only. Face normals are Newell's, so non-planar polygons have one too; a face
-/// without area has none, and no angle with its neighbours.
+/// with boundary edges only.
 [[nodiscard]] std::vector<double> face_dihedral_angles(const ControlMesh& mesh);
 
 /// The selected faces, ascending. Errors: kUsage where a face number is out of range, and whatever
