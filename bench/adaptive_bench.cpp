@@ -46,10 +46,7 @@ void refine_painting(benchmark::State& state, const VertexLabels& labels) {
   return_free_memory();
   IgnoreProgress progress;
   RefinedMesh result;
-  for (auto _ : state) {
-    state.SetIterationTime(
-        seconds_of([&] { result = refine(mesh, labels, {}, {}, progress).value(); }));
-  }
+  time_run(state, [&] { result = refine(mesh, labels, {}, {}, progress).value(); });
   const RefinementPrediction prediction = predict_refinement(mesh, labels);
   if (result.face_count() != prediction.faces || result.vertex_count() != prediction.vertices) {
     fail_run(state, "not the counts that were foretold");

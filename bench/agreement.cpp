@@ -34,9 +34,10 @@ class Grid {
     for (std::int64_t x = first.x; x <= last.x; ++x) {
       for (std::int64_t y = first.y; y <= last.y; ++y) {
         for (std::int64_t z = first.z; z <= last.z; ++z) {
-          for (const Entry& entry :
-               std::ranges::equal_range(entries_, key({x, y, z}), {}, &Entry::first)) {
-            nearest = std::min(nearest, glm::distance(point, glm::dvec3(entry.second)));
+          const std::int64_t cell = key({x, y, z});
+          for (auto entry = std::ranges::lower_bound(entries_, cell, {}, &Entry::first);
+               entry != entries_.end() && entry->first == cell; ++entry) {
+            nearest = std::min(nearest, glm::distance(point, glm::dvec3(entry->second)));
           }
         }
       }

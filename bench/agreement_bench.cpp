@@ -13,15 +13,13 @@ void compare(benchmark::State& state, const std::string& program, const Work& wo
   Refiner& limn = cached_refiner("limn", work.mesh);
   Refiner& peer = cached_refiner(program, work.mesh);
   double distance = 0.0;
-  for (auto _ : state) {
-    state.SetIterationTime(seconds_of([&] {
-      for (Refiner* refiner : {&limn, &peer}) {
-        refiner->prepare();
-        refiner->refine(work.levels);
-      }
-      distance = largest_distance(limn.positions(), peer.positions());
-    }));
-  }
+  time_run(state, [&] {
+    for (Refiner* refiner : {&limn, &peer}) {
+      refiner->prepare();
+      refiner->refine(work.levels);
+    }
+    distance = largest_distance(limn.positions(), peer.positions());
+  });
   const double relative = distance / control_mesh(work.mesh).bounds().diagonal();
   state.counters["distance"] = relative;
   if (limn.counts() != peer.counts() || !(relative <= kAgreement)) {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -61,15 +63,13 @@ void write_memory(benchmark::State& state, Kind kind, std::size_t threads) {
     }
     benchmark::ClobberMemory();
   };
-  for (auto _ : state) {
-    state.SetIterationTime(seconds_of([&] {
-      std::vector<std::jthread> others;
-      for (std::size_t t = 1; t < threads; ++t) {
-        others.emplace_back(write, t);
-      }
-      write(0);
-    }));
-  }
+  time_run(state, [&] {
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < threads; ++t) {
+      others.emplace_back(write, t);
+    }
+    write(0);
+  });
   state.counters["written_bytes"] = static_cast<double>(kBytes * threads);
 }
 
@@ -77,18 +77,16 @@ void write_memory(benchmark::State& state, Kind kind, std::size_t threads) {
 
 void register_bounds(Extent extent) {
   const int repetitions = extent == Extent::kQuick ? 3 : 7;
-  const std::pair<const char*, Kind> kinds[] = {
-      {"copy", Kind::kCopy},
-      {"fill", Kind::kFill},
-      {"first_touch_4_kib", Kind::kFirstTouchSmall},
-      {"first_touch_2_mib", Kind::kFirstTouchHuge},
-  };
-  for (const auto& [name, kind] : kinds) {
+  const auto add = [&](const std::string& name, Kind kind) {
     for (const std::size_t threads : {std::size_t{1}, std::size_t{2}}) {
-      add_case(std::string("bounds/") + name + "/" + std::to_string(threads), repetitions,
+      add_case("bounds/" + name + "/" + std::to_string(threads), repetitions,
                [kind, threads](benchmark::State& state) { write_memory(state, kind, threads); });
     }
-  }
+  };
+  add("copy", Kind::kCopy);
+  add("fill", Kind::kFill);
+  add("first_touch_4_kib", Kind::kFirstTouchSmall);
+  add("first_touch_2_mib", Kind::kFirstTouchHuge);
 }
 
 }  // namespace limn::bench

@@ -12,6 +12,7 @@ bool failed = false;
 
 void add_case(const std::string& name, int repetitions,
               std::function<void(benchmark::State&)> run) {
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Google Benchmark keeps it.
   benchmark::RegisterBenchmark(name.c_str(), std::move(run))
       ->Iterations(1)
       ->Repetitions(repetitions)
@@ -19,11 +20,13 @@ void add_case(const std::string& name, int repetitions,
       ->Unit(benchmark::kMillisecond);
 }
 
-double seconds_of(const std::function<void()>& work) {
+void time_run(benchmark::State& state, const std::function<void()>& work, int parts) {
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  while (state.KeepRunning()) {
+    const Clock::time_point start = Clock::now();
+    work();
+    state.SetIterationTime(std::chrono::duration<double>(Clock::now() - start).count() / parts);
+  }
 }
 
 void fail_run(benchmark::State& state, const std::string& why) {

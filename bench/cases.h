@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include <benchmark/benchmark.h>
+
+#include "meshes.h"
 
 namespace limn::bench {
 
@@ -13,8 +16,9 @@ enum class Extent { kAll, kQuick };
 // Every file of cases registers its own with Google Benchmark. The names are paths that the report
 // reads: subject/.../program. All runs of all cases are made in random order.
 
-/// `uniform/MESH/LEVELS/PROGRAM`: Limn and peers to the same finest mesh.
-void register_uniform(Extent extent);
+/// `uniform/MESH/LEVELS/PROGRAM`: Limn and peers to the same finest mesh, and Limn and OpenSubdiv
+/// for `more` meshes.
+void register_uniform(Extent extent, std::span<const Work> more);
 /// `agreement/MESH/LEVELS/PROGRAM`: that they compute the same.
 void register_agreement(Extent extent);
 /// `memory/MESH/LEVELS/PROGRAM`: peak memory.
@@ -26,11 +30,11 @@ void register_bounds(Extent extent);
 /// `picking/QUESTION`: what is under the pointer, on 399,424 quads. There with the program only.
 void register_picking(Extent extent);
 
-/// A case of `repetitions` runs, each of which sets its own time (`State::SetIterationTime`).
+/// A case of `repetitions` runs, each of which times its work itself, by `time_run`.
 void add_case(const std::string& name, int repetitions, std::function<void(benchmark::State&)> run);
 
-/// Seconds that `work` takes.
-[[nodiscard]] double seconds_of(const std::function<void()>& work);
+/// Does `work` once with the clock running; the run's time is `1 / parts` of what it takes.
+void time_run(benchmark::State& state, const std::function<void()>& work, int parts = 1);
 
 /// Ends a run as failed: a program that computes something else has no time worth telling. The
 /// program as a whole fails then.

@@ -1,6 +1,8 @@
-// limn_bench [--quick] [options of Google Benchmark]
+// limn_bench [--quick] [--mesh=FILE.obj:LEVELS...] [options of Google Benchmark]
 // Measures Limn and its peers in one program. scripts/bench.sh runs it and writes the report.
+#include <charconv>
 #include <cstdlib>
+#include <iostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,39 +10,85 @@
 #include <benchmark/benchmark.h>
 
 #include "cases.h"
+#include "limn/error.h"
+#include "limn/subdivision/settings.h"
 #include "machine.h"
 #include "memory.h"
 
 namespace {
 
-/// Google Benchmark's arguments: our defaults, then those given, which win.
-std::vector<std::string> with_defaults(int argc, char** argv, bool& quick) {
-  std::vector<std::string> arguments{argv[0], "--benchmark_enable_random_interleaving=true",
-                                     "--benchmark_display_aggregates_only=true"};
+using namespace limn::bench;  // NOLINT(google-build-using-namespace)
+
+struct Arguments {
+  Extent extent = Extent::kAll;
+  std::vector<Work> meshes;
+  std::vector<std::string> others;  ///< Google Benchmark's.
+};
+
+/// A mesh given as FILE:LEVELS.
+limn::Result<Work> read_mesh(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  int levels = 0;
+  if (colon != std::string::npos) {
+    std::from_chars(text.data() + colon + 1, text.data() + text.size(), levels);
+  }
+  if (levels < 1 || levels > limn::kMaxDepth) {
+    return limn::fail(limn::ErrorKind::kUsage, "--mesh wants FILE.obj:LEVELS, not " + text);
+  }
+  return add_control_mesh(text.substr(0, colon)).map([&](const std::string& name) {
+    return Work{name, levels};
+  });
+}
+
+/// Our arguments, and for Google Benchmark our defaults, then what was given, which wins.
+limn::Result<Arguments> read_arguments(int argc, char** argv) {
+  Arguments arguments;
+  arguments.others = {argv[0], "--benchmark_enable_random_interleaving=true",
+                      "--benchmark_display_aggregates_only=true"};
   for (int i = 1; i < argc; ++i) {
-    if (std::string_view(argv[i]) == "--quick") {
-      quick = true;
+    const std::string argument = argv[i];
+    if (argument == "--quick") {
+      arguments.extent = Extent::kQuick;
+    } else if (constexpr std::string_view kMesh = "--mesh="; argument.starts_with(kMesh)) {
+      const limn::Result<Work> work = read_mesh(argument.substr(kMesh.size()));
+      if (!work) {
+        return tl::unexpected(work.error());
+      }
+      arguments.meshes.push_back(*work);
     } else {
-      arguments.emplace_back(argv[i]);
+      arguments.others.push_back(argument);
     }
   }
   return arguments;
 }
 
+void register_all(const Arguments& arguments) {
+  register_bounds(arguments.extent);
+  register_agreement(arguments.extent);
+  register_uniform(arguments.extent, arguments.meshes);
+  register_memory(arguments.extent);
+  register_adaptive(arguments.extent);
+#ifdef LIMN_BENCH_PICKING
+  register_picking(arguments.extent);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  using limn::bench::Extent;
-  limn::bench::settle_allocator();
+  settle_allocator();
   constexpr int kPeakArguments = 5;
   if (argc == kPeakArguments && std::string_view(argv[1]) == "--measure-peak") {
-    return limn::bench::print_peak(argv[2], {argv[3], std::atoi(argv[4])});
+    return print_peak(argv[2], {argv[3], std::atoi(argv[4])});
   }
 
-  bool quick = false;
-  std::vector<std::string> arguments = with_defaults(argc, argv, quick);
+  limn::Result<Arguments> arguments = read_arguments(argc, argv);
+  if (!arguments) {
+    std::cerr << "limn_bench: " << limn::to_string(arguments.error()) << "\n";
+    return 2;
+  }
   std::vector<char*> pointers;
-  for (std::string& argument : arguments) {
+  for (std::string& argument : arguments->others) {
     pointers.push_back(argument.data());
   }
   int count = static_cast<int>(pointers.size());
@@ -48,17 +96,9 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) {
     return 2;
   }
-  limn::bench::describe_machine();
-  const Extent extent = quick ? Extent::kQuick : Extent::kAll;
-  limn::bench::register_bounds(extent);
-  limn::bench::register_agreement(extent);
-  limn::bench::register_uniform(extent);
-  limn::bench::register_memory(extent);
-  limn::bench::register_adaptive(extent);
-#ifdef LIMN_BENCH_PICKING
-  limn::bench::register_picking(extent);
-#endif
+  describe_machine();
+  register_all(*arguments);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
-  return limn::bench::has_failed() ? 1 : 0;
+  return has_failed() ? 1 : 0;
 }

@@ -16,9 +16,7 @@ void register_memory(Extent extent) {
     for (const std::string& program : programs) {
       add_case("memory/" + path_of(work) + "/" + program, 1, [=](benchmark::State& state) {
         std::size_t peak = 0;
-        for (auto _ : state) {
-          state.SetIterationTime(seconds_of([&] { peak = measure_peak(program, work); }));
-        }
+        time_run(state, [&] { peak = measure_peak(program, work); });
         if (peak == 0) {
           fail_run(state, "peak memory could not be measured");
         }

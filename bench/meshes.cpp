@@ -20,6 +20,7 @@
 #include "limn/contract.h"
 #include "limn/mesh/build.h"
 #include "limn/mesh/bundled.h"
+#include "limn/mesh/import.h"
 
 namespace limn::bench {
 namespace {
@@ -135,15 +136,28 @@ SharedMesh make(const std::string& name) {
   return bundled->mesh;
 }
 
+/// All meshes made so far, by name.
+std::map<std::string, SharedMesh>& meshes() {
+  static std::map<std::string, SharedMesh> all;
+  return all;
+}
+
 }  // namespace
 
 const ControlMesh& control_mesh(const std::string& name) {
-  static std::map<std::string, SharedMesh> meshes;
-  SharedMesh& mesh = meshes[name];
+  SharedMesh& mesh = meshes()[name];
   if (mesh == nullptr) {
     mesh = make(name);
   }
   return *mesh;
+}
+
+Result<std::string> add_control_mesh(const std::filesystem::path& file) {
+  return import_mesh(file).map([&](const ImportedMesh& imported) {
+    std::string name = file.stem().string();
+    meshes()[name] = imported.mesh;
+    return name;
+  });
 }
 
 Counts uniform_counts(const ControlMesh& mesh, int levels) {

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
 
 namespace limn::bench {
@@ -17,6 +19,10 @@ namespace limn::bench {
 /// modelled or remeshed by quads. Uniform refinement by 4, 3 or 2 levels makes 3,932,160 faces.
 /// Broken contract where there is no such mesh.
 [[nodiscard]] const ControlMesh& control_mesh(const std::string& name);
+
+/// Makes an OBJ file a control mesh, named as the file is without its ending. Errors: those of
+/// `import_mesh`.
+[[nodiscard]] Result<std::string> add_control_mesh(const std::filesystem::path& file);
 
 /// Vertices and faces of a mesh.
 struct Counts {

@@ -75,14 +75,14 @@ void time_calls(benchmark::State& state, int calls, const std::function<void(Sta
   try {
     ask(stage());  // What is drawn once for a still picture is drawn here.
     state.SetLabel(stage().context->info().renderer);
-    for (auto _ : state) {
-      const double seconds = bench::seconds_of([&] {
-        for (int call = 0; call < calls; ++call) {
-          ask(stage());
-        }
-      });
-      state.SetIterationTime(seconds / calls);
-    }
+    bench::time_run(
+        state,
+        [&] {
+          for (int call = 0; call < calls; ++call) {
+            ask(stage());
+          }
+        },
+        calls);
     state.counters["faces"] = kSide * kSide;
   } catch (const EnvironmentError& error) {
     state.SkipWithError(error.what());

@@ -65,9 +65,7 @@ void refine_uniformly(benchmark::State& state, const Contender& contender, const
     refiner.refine(work.levels);
     refiner.recycle();
   }
-  for (auto _ : state) {
-    state.SetIterationTime(seconds_of([&] { refiner.refine(work.levels); }));
-  }
+  time_run(state, [&] { refiner.refine(work.levels); });
   if (refiner.counts() != expected) {
     fail_run(state, "not the counts of uniform Catmull-Clark");
   }
@@ -93,7 +91,7 @@ const std::vector<Work> kOpen = {{"teapot", 5}, {"torus_open", 6}};
 
 }  // namespace
 
-void register_uniform(Extent extent) {
+void register_uniform(Extent extent, std::span<const Work> more) {
   const bool quick = extent == Extent::kQuick;
   const int repetitions = quick ? 3 : 7;
   const int repetitions_of_slow = quick ? 1 : 3;
@@ -105,6 +103,10 @@ void register_uniform(Extent extent) {
     }
   }
   add(large_works().front(), kLimnElsewise, repetitions);
+  for (const Work& work : more) {
+    add(work, kLimn, repetitions);
+    add(work, kOpenSubdiv, repetitions);
+  }
   if (quick) {
     return;
   }

@@ -219,8 +219,8 @@ def method(results):
 
 - Every case is run several times; all runs of all cases are made in random order, so that a machine that speeds up or slows down does so for all. Times are medians, ratios are those of medians
   of the same run.
-- The asteroids are closed quad meshes of 15,360, 61,440 and 245,760 faces that the program makes itself; one vertex in 32 is extraordinary. The others are Limn's bundled meshes. OpenMesh has
-  other rules at boundaries and CGAL is kept to the same meshes, so both are measured on closed ones.
+- The asteroids are closed quad meshes of 15,360, 61,440 and 245,760 faces that the program makes itself; one vertex in 32 is extraordinary. The others are Limn's bundled meshes, and
+  artists' control meshes where they were at hand. OpenMesh has other rules at boundaries and CGAL is kept to the same meshes, so both are measured on closed ones.
 - On the clock is what has to be done for each refinement. Off it is what is done once a control mesh: Limn's flat topology, OpenSubdiv's base level, the copy of the mesh
   that OpenMesh and CGAL then refine in place. So is freeing the result.
 - OpenSubdiv is asked for the last level without full topology; positions are interpolated level by level between two buffers. It, OpenMesh and CGAL compute on one thread here, as they come.
