@@ -2,6 +2,8 @@
 add_library(limn_options INTERFACE)
 target_compile_options(limn_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+  # Vectors of four doubles go in and out of functions of one and the same build only.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
   # When it optimises, GCC 12 takes `"literal" + std::string` for an overlapping copy (GCC bug 105651)
   # and the members of a moved std::variant that are not in use for uninitialised (105562).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>

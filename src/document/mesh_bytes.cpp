@@ -44,7 +44,8 @@ std::size_t mesh_bytes(const ControlMesh& mesh) {
          array_bytes(topology.corner_vertices) + array_bytes(topology.corner_edges) +
          array_bytes(topology.corner_twins) + array_bytes(topology.edge_vertices) +
          array_bytes(topology.edge_corners) + array_bytes(topology.vertex_offsets) +
-         array_bytes(topology.vertex_corners) + array_bytes(topology.corner_faces);
+         array_bytes(topology.vertex_corners) + array_bytes(topology.corner_faces) +
+         array_bytes(topology.corner_twins) + array_bytes(topology.corner_ranks);
 }
 
 }  // namespace limn

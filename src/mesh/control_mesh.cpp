@@ -86,6 +86,12 @@ void flatten_vertices(const HalfedgeMesh& mesh, const std::vector<std::uint32_t>
   }
   // A vertex with several fans of faces would have left corners out.
   LIMN_EXPECTS(flat.vertex_corners.size() == flat.corner_vertices.size());
+  flat.corner_ranks.resize(flat.corner_vertices.size());
+  for (std::size_t v = 0; v + 1 < flat.vertex_offsets.size(); ++v) {
+    for (std::uint32_t i = flat.vertex_offsets[v]; i < flat.vertex_offsets[v + 1]; ++i) {
+      flat.corner_ranks[flat.vertex_corners[i]] = i - flat.vertex_offsets[v];
+    }
+  }
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 namespace limn {
 namespace {
 
+/// Enough for every vector type.
+constexpr std::align_val_t kCacheLine{64};
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 /// Below this the last, partly used huge page would weigh more than the faults it saves.
 constexpr std::size_t kLarge = 4 * kHugePage;
@@ -18,7 +20,7 @@ constexpr std::size_t kLarge = 4 * kHugePage;
 
 void* allocate_pages(std::size_t bytes) {
   if (bytes < kLarge) {
-    return ::operator new(bytes);
+    return ::operator new(bytes, kCacheLine);
   }
   void* memory = ::operator new (bytes, std::align_val_t{kHugePage});
 #ifdef __linux__
@@ -31,7 +33,7 @@ void* allocate_pages(std::size_t bytes) {
 
 void release_pages(void* memory, std::size_t bytes) noexcept {
   if (bytes < kLarge) {
-    ::operator delete(memory);
+    ::operator delete(memory, kCacheLine);
   } else {
     ::operator delete (memory, std::align_val_t{kHugePage});
   }

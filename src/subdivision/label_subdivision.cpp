@@ -1,19 +1,20 @@
-// Level by level: plan a step (step_plan.cpp), make the next level's connectivity
-// (level_topology.cpp), place its points (level_geometry.cpp), write what is finished
-// (refinement_output.cpp). The prediction gives the sizes of all output arrays and the number of
-// steps; stopping after N steps is the same as running on the labels min(L, N).
+// First everything gets its number (numbering.cpp), a function of labels alone; then the rings of
+// irregular vertices are run down the levels (ring_tables.cpp); then every control face writes what
+// becomes of it by itself (control_faces.cpp, patch.cpp), out of the points around it, at numbers
+// that are its own. No face waits for another, and no level of the whole mesh is ever stored.
+// Stopping after N steps is the same as running on the labels min(L, N).
 #include "limn/subdivision/label_subdivision.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "limn/contract.h"
+#include "subdivision/control_faces.h"
 #include "subdivision/invariants.h"
-#include "subdivision/refine_hooks.h"
-#include "subdivision/refinement_output.h"
-#include "subdivision/step_geometry.h"
 
 namespace limn {
 namespace {
@@ -21,87 +22,154 @@ namespace {
 /// Faces and vertices are numbered with 32 bits, and so are the four corners of every quad.
 constexpr std::uint64_t kMostFaces = 0x3FFFFFF0u;
 
-class Refinement {
- public:
-  Refinement(const RefinementPrediction& prediction, const GeometryRules& rules, Progress& progress,
-             const RefineHooks& hooks)
-      : prediction_(&prediction), rules_(&rules), hooks_(&hooks), sweep_(progress) {}
+/// Faces one thread takes at a time, and how much they may become before progress is reported.
+constexpr std::size_t kFaceGrain = 64;
+constexpr std::uint64_t kQuadsBetweenReports = std::uint64_t{1} << 20;
 
-  /// False if cancelled.
-  bool run(const ControlMesh& mesh, Level level, RefinedMesh& output) {
-    output_ = &output;
-    next_vertex_ = static_cast<std::uint32_t>(mesh.vertex_count());
-    do {
-      const double items = static_cast<double>(6 * level.face_count() + 5 * level.corner_count() +
-                                               5 * level.vertex_count());
-      sweep_.begin_stage(fmt::format("Refining level {}", level.number + 1), reached(level.number),
-                         reached(level.number + 1), static_cast<std::size_t>(items));
-      if (mesh.is_all_quads() || level.number > 0) {
-        level = step(QuadSides{}, level);
-      } else {
-        level =
-            step(PolygonSides{mesh.topology().face_offsets, mesh.topology().corner_faces}, level);
-      }
-      if (sweep_.is_cancelled()) {
-        return false;
-      }
-    } while (level.number < prediction_->levels);
-    LIMN_EXPECTS(next_quad_ == output.quads.size());
-    LIMN_EXPECTS(next_vertex_ == output.positions.size());
-    return true;
-  }
+/// The world's origin, unless floats relative to it would be too coarse. The Catmull-Clark points
+/// of a mesh lie within its bounds, so it is enough to look at these.
+glm::dvec3 origin_of(const Bounds& bounds) {
+  constexpr double kCoarsest = 3e-7;  // Of the diagonal; a third of what a vertex may be off.
+  const glm::dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+  const double rounding = std::ldexp(glm::length(farthest), -24);
+  return rounding > kCoarsest * bounds.diagonal() ? bounds.centre() : glm::dvec3(0.0);
+}
 
- private:
-  /// Share of the whole work that is done when level k is reached; each is about 4 times the last.
-  [[nodiscard]] double reached(int level) const {
-    const int levels = std::max(prediction_->levels, 1);
-    return (std::pow(4.0, std::min(level, levels)) - 1.0) / (std::pow(4.0, levels) - 1.0);
-  }
-
-  /// Returns the next level; after the last step an empty one that only has a number.
-  template <class Sides>
-  Level step(const Sides& sides, const Level& level) {
-    if (hooks_->on_level) {
-      hooks_->on_level(level);
-    }
-    const bool is_last = level.number + 1 >= prediction_->levels;
-    const Step step = plan_step(sweep_, sides, level, next_quad_, next_vertex_, is_last);
-    Level next;
-    next.number = level.number + 1;
-    if (sweep_.is_cancelled()) {
-      return next;
-    }
-    next_quad_ += step.quads;
-    next_vertex_ += step.emitted - step.moved;
-    LIMN_EXPECTS(next_quad_ <= output_->quads.size());
-    LIMN_EXPECTS(next_vertex_ <= output_->positions.size());
-    emit_quads(sweep_, sides, level, step, *output_);
-    if (is_last) {
-      place_points(sweep_, sides, level, step, *rules_, nullptr, *output_);
-    } else {
-      next = child_level(sweep_, sides, level, step);
-      place_points(sweep_, sides, level, step, *rules_, &next, *output_);
-    }
-    return next;
-  }
-
-  const RefinementPrediction* prediction_;
-  const GeometryRules* rules_;
-  const RefineHooks* hooks_;
-  Sweep sweep_;
-  RefinedMesh* output_ = nullptr;
-  std::uint32_t next_quad_ = 0;
-  std::uint32_t next_vertex_ = 0;
-};
-
-tl::unexpected<Error> over_budget(const RefinementPrediction& prediction, std::uint64_t budget) {
+tl::unexpected<Error> over_budget(std::uint64_t faces, std::uint64_t budget) {
   return fail(ErrorKind::kOverBudget,
               fmt::format("The refinement would have {} faces, more than the allowed {}. Lower the "
                           "depths, refine fewer levels, or raise the face budget.",
-                          prediction.faces, budget));
+                          faces, budget));
+}
+
+tl::unexpected<Error> cancelled() {
+  return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
+}
+
+/// Makes room without copying what is about to be replaced.
+template <class Array>
+void make_room(Array& array, std::size_t size) {
+  if (array.capacity() < size) {
+    array = Array();
+  }
+  array.resize(size);
+}
+
+void make_room(RefinedMesh& result, const RefinedCounts& counts) {
+  const std::size_t faces = counts.quads + counts.polygons;
+  make_room(result.positions, counts.vertices);
+  make_room(result.vertex_levels, counts.vertices);
+  make_room(result.quads, counts.quads);
+  make_room(result.face_control_faces, faces);
+  make_room(result.face_levels, faces);
+  make_room(result.polygon_offsets, counts.polygons + 1);
+  make_room(result.polygon_vertices, counts.polygon_sides);
+  result.polygon_offsets[0] = 0;
+}
+
+/// A face that is no quad and stays as it was.
+void write_polygon(const RefinementPlan& plan, std::uint32_t f, RefinedMesh& result) {
+  const Cage& cage = plan.cage;
+  const std::uint32_t polygon = plan.numbering->first_face(f);
+  const std::uint32_t first = plan.numbering->first_polygon_side(f);
+  const std::uint32_t n = cage.side_count(f);
+  std::copy_n(cage.topology->corner_vertices.begin() + cage.first_corner(f), n,
+              result.polygon_vertices.begin() + first);
+  result.polygon_offsets[polygon + 1] = first + n;
+  result.face_control_faces[result.quads.size() + polygon] = f;
+  result.face_levels[result.quads.size() + polygon] = 0;
 }
 
 }  // namespace
+
+struct Refiner::Workspace {
+  LargeArray<std::uint8_t> labels;
+  LargeArray<std::uint32_t> vertex_owners;
+  Numbering numbering;
+  RingTables rings;
+  std::vector<std::uint64_t> sums;
+
+  void refine_faces(Sweep& sweep, const RefinementPlan& plan, const RefinedArrays& arrays,
+                    RefinedMesh& result) const;
+};
+
+Refiner::Refiner() : workspace_(std::make_unique<Workspace>()) {}
+Refiner::~Refiner() = default;
+Refiner::Refiner(Refiner&&) noexcept = default;
+Refiner& Refiner::operator=(Refiner&&) noexcept = default;
+
+/// Slab by slab, each of about as many quads.
+void Refiner::Workspace::refine_faces(Sweep& sweep, const RefinementPlan& plan,
+                                      const RefinedArrays& arrays, RefinedMesh& result) const {
+  const std::size_t faces = plan.cage.face_count();
+  const double quads_per_face =
+      static_cast<double>(result.quads.size() + 1) / static_cast<double>(faces);
+  const auto slab = static_cast<std::size_t>(
+      std::max(1.0, std::ceil(static_cast<double>(kQuadsBetweenReports) / quads_per_face)));
+  const std::size_t grain = std::max<std::size_t>(1, std::min(kFaceGrain, slab / 16));
+  sweep.ranges(faces, slab, grain, 1, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
+      if (plan.cage.side_count(f) == 4 || FaceLabels(plan.cage, plan.labels, f)[0] > 0) {
+        refine_face(plan, f, arrays);
+      } else {
+        write_polygon(plan, f, result);
+      }
+    }
+  });
+}
+
+Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels,
+                             const SubdivisionSettings& settings, const RefineLimits& limits,
+                             Progress& progress, RefinedMesh& result) {
+  LIMN_EXPECTS(labels.size() == mesh.vertex_count());
+  Workspace& work = *workspace_;
+  const std::uint64_t budget = std::min(limits.face_budget, kMostFaces);
+  Sweep sweep(progress, work.sums);
+  sweep.begin_stage("Numbering", 0.0, 0.1, 4 * mesh.face_count() + 6 * mesh.vertex_count());
+  work.labels.resize(labels.size());
+  std::ranges::transform(labels, work.labels.begin(), [&](std::uint8_t label) {
+    return static_cast<std::uint8_t>(std::min<int>(label, limits.levels));
+  });
+
+  result.origin = origin_of(mesh.bounds());
+  const Cage cage = cage_of(mesh, settings.corners, result.origin);
+  const RefinedCounts counts = work.numbering.build(sweep, cage, work.labels);
+  if (sweep.is_cancelled()) {
+    return cancelled();
+  }
+  if (counts.quads + counts.polygons > budget) {
+    return over_budget(counts.quads + counts.polygons, budget);
+  }
+  work.rings.build(sweep, cage, work.labels);
+  if (sweep.is_cancelled()) {
+    return cancelled();
+  }
+  make_room(result, counts);
+  const RefinedArrays arrays{&result.positions.data()->x,      3,
+                             result.vertex_levels.data(),      result.quads.data(),
+                             result.face_control_faces.data(), result.face_levels.data()};
+  place_resting_vertices(sweep, cage, work.labels, arrays, work.vertex_owners);
+
+  sweep.begin_stage("Refining", 0.1, 1.0, mesh.face_count());
+  work.refine_faces(sweep, {cage, work.labels, &work.numbering, &work.rings, work.vertex_owners},
+                    arrays, result);
+  if (sweep.is_cancelled()) {
+    return cancelled();
+  }
+  LIMN_ASSERT(greatest_level_difference(result) <= 1);
+  return {};
+}
+
+Result<RefinedMesh> refine(const ControlMesh& mesh, const VertexLabels& labels,
+                           const SubdivisionSettings& settings, const RefineLimits& limits,
+                           Progress& progress) {
+  RefinedMesh result;
+  Refiner refiner;
+  if (auto done = refiner.refine(mesh, labels, settings, limits, progress, result); !done) {
+    return tl::unexpected(std::move(done.error()));
+  }
+  return result;
+}
 
 Result<Legalisation> legal_labels(const ControlMesh& mesh, std::span<const std::uint8_t> depths,
                                   const SubdivisionSettings& settings, Progress& progress) {
@@ -112,35 +180,6 @@ Result<Legalisation> legal_labels(const ControlMesh& mesh, std::span<const std::
   }
   LIMN_EXPECTS(!"a known legalisation method");
   return {};
-}
-
-Result<RefinedMesh> refine(const ControlMesh& mesh, const VertexLabels& labels,
-                           const SubdivisionSettings& settings, const RefineLimits& limits,
-                           Progress& progress) {
-  return refine_with_hooks(mesh, labels, settings, limits, progress, {});
-}
-
-Result<RefinedMesh> refine_with_hooks(const ControlMesh& mesh, const VertexLabels& labels,
-                                      const SubdivisionSettings& settings,
-                                      const RefineLimits& limits, Progress& progress,
-                                      const RefineHooks& hooks) {
-  const RefinementPrediction prediction = predict_refinement(mesh, labels, limits.levels);
-  const std::uint64_t budget = std::min(limits.face_budget, kMostFaces);
-  if (prediction.faces > budget) {
-    return over_budget(prediction, budget);
-  }
-  VertexLabels steps(labels.size());
-  std::ranges::transform(labels, steps.begin(), [&](std::uint8_t label) {
-    return static_cast<std::uint8_t>(std::min<int>(label, limits.levels));
-  });
-  const GeometryRules rules{settings.corners, hooks.faults};
-  RefinedMesh output = allocate_output(mesh, steps, prediction);
-  Refinement refinement(prediction, rules, progress, hooks);
-  if (!refinement.run(mesh, seed_level(mesh, steps, output.origin), output)) {
-    return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
-  }
-  LIMN_ASSERT(greatest_level_difference(output) <= 1);
-  return output;
 }
 
 }  // namespace limn

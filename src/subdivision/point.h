@@ -2,11 +2,6 @@
 
 #include <glm/vec3.hpp>
 
-// GCC remarks that functions that take or return a vector would change with -mavx. All that do are
-// internal to one library, compiled in one go. (In debug builds it listens only where such a
-// function has a single `return` and is no lambda.)
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 // Internal to this folder.
 namespace limn {
 

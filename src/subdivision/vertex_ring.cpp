@@ -130,19 +130,12 @@ void VertexRing::wear_off(CreasingMethod method) {
 }
 
 double VertexRing::worn_off_sharpness(float child_vertex_sharpness) const noexcept {
-  float sum = 0.0f;
-  int count = 0;
-  const auto add = [&](float sharpness, float child_sharpness) {
-    if (is_sharp(sharpness) && !is_sharp(child_sharpness)) {
-      sum += sharpness;
-      ++count;
-    }
-  };
-  add(vertex_sharpness_, child_vertex_sharpness);
+  WornOff worn;
+  worn.add(vertex_sharpness_, child_vertex_sharpness);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    add(edge_sharpness_[i], child_sharpness_[i]);
+    worn.add(edge_sharpness_[i], child_sharpness_[i]);
   }
-  return count == 0 ? 0.0 : std::min(sum / static_cast<float>(count), 1.0f);
+  return worn.mean();
 }
 
 void VertexRing::step_sharp(CreasingMethod method) {
@@ -167,16 +160,13 @@ void VertexRing::step_sharp(CreasingMethod method) {
   for (std::size_t i = 0; i < n; ++i) {
     const Point middle = 0.5 * (centre_ + edges_[i]);
     const float sharpness = edge_sharpness_[i];
-    // Both halves sharp: a crease goes on here. Under Chaikin's rule one may stay sharp alone.
-    const bool is_crease = is_infinite(sharpness) ||
-                           (is_sharp(child_sharpness_[i]) &&
-                            (method == CreasingMethod::kUniform || is_sharp(far_sharpness_[i])));
-    if (is_crease) {
+    const float far_half =
+        method == CreasingMethod::kUniform ? child_sharpness_[i] : far_sharpness_[i];
+    const double held = sharp_share_of_edge(sharpness, child_sharpness_[i], far_half);
+    if (held == 1.0) {
       edges_[i] = middle;
       continue;
     }
-    // Not held to 1, like OpenSubdiv's: Chaikin's rule can wear off more than 1 at a time.
-    const double held = is_sharp(sharpness) ? sharpness : 0.0f;
     const Point beside = centroids_[i == 0 ? n - 1 : i - 1] + centroids_[i];
     edges_[i] = held * middle + (1.0 - held) * (0.5 * middle + 0.25 * beside);
   }

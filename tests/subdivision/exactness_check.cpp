@@ -13,7 +13,6 @@
 
 #include "limn/subdivision/crack_check.h"
 #include "subdivision/invariants.h"
-#include "subdivision/level.h"
 
 namespace limn::test {
 namespace {
@@ -33,16 +32,15 @@ ControlMesh scattered(const ControlMesh& mesh) {
     const double z = coordinate(random);
     halfedges.set_point(vertex, {x, y, z});
   }
-  return ControlMesh(std::move(halfedges));
+  return ControlMesh(std::move(halfedges), mesh.attributes());
 }
 
 Result<RefinedMesh> refined(const ControlMesh& mesh, const VertexLabels& labels,
-                            const SubdivisionSettings& settings, int levels,
-                            const RefineHooks& hooks) {
+                            const SubdivisionSettings& settings, int levels) {
   IgnoreProgress progress;
   RefineLimits limits;
   limits.levels = levels;
-  return refine_with_hooks(mesh, labels, settings, limits, progress, hooks);
+  return refine(mesh, labels, settings, limits, progress);
 }
 
 /// Where to look for points: cells of a grid, hashed.
@@ -80,19 +78,30 @@ std::optional<Matching> matched(const std::vector<glm::dvec3>& points,
   }
   Matching matching;
   std::vector<char> is_taken(mesh.vertex_count(), 0);
+  std::vector<std::pair<double, std::uint32_t>> candidates;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::uint32_t best = kNone;
+    candidates.clear();
     for (int neighbour = 0; neighbour < 27; ++neighbour) {
       const auto [begin, end] = cells.equal_range(key(points[i], neighbour));
       for (auto it = begin; it != end; ++it) {
         const std::uint32_t v = it->second;
-        if (glm::distance(points[i], mesh.position(v)) > tolerance) {
-          continue;
+        const double distance = glm::distance(points[i], mesh.position(v));
+        if (distance <= tolerance) {
+          matching.is_unique = matching.is_unique && candidates.empty() && is_taken[v] == 0;
+          candidates.emplace_back(distance, v);
         }
-        matching.is_unique = matching.is_unique && best == kNone && is_taken[v] == 0;
-        if (is_taken[v] == 0 && mesh.vertex_levels[v] == vertices[i].level) {
-          best = std::min(best, v);  // Control vertices come first on both sides.
-        }
+      }
+    }
+    std::erase_if(candidates, [&](const auto& candidate) {
+      const std::uint32_t v = candidate.second;
+      return is_taken[v] != 0 || mesh.vertex_levels[v] != vertices[i].level;
+    });
+    std::ranges::sort(candidates);
+    std::uint32_t best = kNone;
+    for (const auto& [distance, v] : candidates) {
+      // Of those that coincide the first: control vertices come first on both sides.
+      if (distance <= candidates.front().first + 0.1 * tolerance) {
+        best = std::min(best, v);
       }
     }
     if (best == kNone) {
@@ -142,15 +151,22 @@ UniformReference::UniformReference(const ControlMesh& mesh, int levels, CornerRu
       uniform_scattered_(hierarchy_.positions(scattered_.positions())) {}
 
 Exactness UniformReference::compare(const VertexLabels& labels, const SubdivisionSettings& settings,
-                                    int levels, const RefineFaults& faults) const {
+                                    int levels) const {
+  return compare_faulty(labels, settings, levels, [](RefinedMesh&) {});
+}
+
+Exactness UniformReference::compare_faulty(const VertexLabels& labels,
+                                           const SubdivisionSettings& settings, int levels,
+                                           const std::function<void(RefinedMesh&)>& fault) const {
   Exactness result;
   const ReferenceMesh reference = reference_refinement(hierarchy_, labels, levels);
-  const auto refined_generic = refined(scattered_, labels, settings, levels, {});
-  const auto refined_mesh = refined(*mesh_, labels, settings, levels, {faults, {}});
+  const auto refined_generic = refined(scattered_, labels, settings, levels);
+  auto refined_mesh = refined(*mesh_, labels, settings, levels);
   if (!refined_generic || !refined_mesh) {
     result.difference = "no refinement";
     return result;
   }
+  fault(*refined_mesh);
   if (reference.vertices.size() != refined_mesh->vertex_count() ||
       reference.faces.size() != refined_mesh->face_count()) {
     result.difference =
@@ -200,35 +216,12 @@ Exactness UniformReference::compare(const VertexLabels& labels, const Subdivisio
 
 std::string first_breach(const ControlMesh& mesh, const VertexLabels& labels,
                          const SubdivisionSettings& settings, int levels) {
-  std::string breach;
-  RefineHooks hooks;
-  hooks.on_level = [&](const Level& level) {
-    if (level.number == 0) {
-      return;  // All polygons; legality there is what the labels are checked for.
-    }
-    for (std::size_t f = 0; f < level.face_count(); ++f) {
-      std::array<int, 4> corner{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        corner[i] = level.labels[level.corner_vertices[4 * f + i]];
-        const std::uint32_t twin = level.twins[4 * f + i];
-        if (twin < kMissing && level.twins[twin] != 4 * f + i) {
-          breach = "twins disagree";
-        }
-      }
-      if (quad_pattern(corner[0], corner[1], corner[2], corner[3]) == FacePattern::kIllegal) {
-        breach = fmt::format("illegal face at level {}", level.number);
-      }
-    }
-  };
   if (!illegal_faces(mesh, labels).empty()) {
     return "the labels are illegal";
   }
-  const auto result = refined(mesh, labels, settings, levels, hooks);
+  const auto result = refined(mesh, labels, settings, levels);
   if (!result) {
     return "no refinement";
-  }
-  if (!breach.empty()) {
-    return breach;
   }
   const CrackCheck cracks = check_cracks(mesh, *result);
   if (!cracks.is_watertight() || !cracks.crack_faces.empty()) {

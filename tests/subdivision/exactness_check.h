@@ -1,9 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "limn/subdivision/label_subdivision.h"
-#include "subdivision/refine_hooks.h"
 #include "support/opensubdiv_reference.h"
 
 namespace limn::test {
@@ -19,15 +19,19 @@ struct Exactness {
 ///
 /// Which refined vertex is which of the reference is found on a mesh of the same connectivity whose
 /// control vertices lie at random, so that no two vertices coincide; there all must match to 1e-6
-/// as well. Positions of the mesh itself are then compared by number. Faults apply to the latter
-/// alone.
+/// as well. Positions of the mesh itself are then compared by number.
 class UniformReference {
  public:
   /// `mesh` must outlive this; `levels` is the deepest level that will be compared.
   UniformReference(const ControlMesh& mesh, int levels, CornerRule corners);
 
   [[nodiscard]] Exactness compare(const VertexLabels& labels, const SubdivisionSettings& settings,
-                                  int levels, const RefineFaults& faults = {}) const;
+                                  int levels) const;
+
+  /// The same with a deliberate error in the refined mesh, to show that the comparison sees it.
+  [[nodiscard]] Exactness compare_faulty(const VertexLabels& labels,
+                                         const SubdivisionSettings& settings, int levels,
+                                         const std::function<void(RefinedMesh&)>& fault) const;
 
  private:
   const ControlMesh* mesh_;
@@ -38,7 +42,7 @@ class UniformReference {
 };
 
 /// Everything else that holds of every refinement; empty if it does, else the first breach: cracks,
-/// boundary, quads, level differences, prediction, control vertices, illegal faces at any level.
+/// boundary, quads, level differences, prediction, control vertices, illegal faces.
 [[nodiscard]] std::string first_breach(const ControlMesh& mesh, const VertexLabels& labels,
                                        const SubdivisionSettings& settings, int levels);
 

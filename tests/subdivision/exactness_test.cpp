@@ -135,7 +135,7 @@ TEST(Exactness, HoldsOnTheCorpus) {
   EXPECT_GT(meshes, 0u);
 }
 
-TEST(Exactness, IsLostWithoutVirtualPoints) {
+TEST(Exactness, IsMissedByTheLeastDeviation) {
   test::Random random(5);
   for (const auto& [name, soup] : {std::pair{"cube", test::cube_soup()},
                                    {"torus", test::torus_soup(9, 6)},
@@ -152,12 +152,18 @@ TEST(Exactness, IsLostWithoutVirtualPoints) {
     EXPECT_EQ(exact.difference, "");
     EXPECT_EQ(exact.off, 0u);
     EXPECT_LT(exact.greatest_deviation, 2e-7);  // Rounding to float, no more.
-    RefineFaults faults;
-    faults.drop_virtual_points = true;
-    const auto faulty = reference.compare(legal->labels, {}, kAllLevels, faults);
+    const auto faulty =
+        reference.compare_faulty(legal->labels, {}, kAllLevels, [&](RefinedMesh& refined) {
+          refined.positions.back().z += static_cast<float>(2e-6 * mesh->bounds().diagonal());
+          refined.positions.front().x += static_cast<float>(1e-5 * mesh->bounds().diagonal());
+        });
     EXPECT_EQ(faulty.difference, "");
-    EXPECT_GT(faulty.off, 50u);
-    EXPECT_GT(faulty.greatest_deviation, 1e-5);
+    EXPECT_EQ(faulty.off, 2u);
+    EXPECT_GT(faulty.greatest_deviation, 9e-6);
+    const auto mislabelled =
+        reference.compare_faulty(legal->labels, {}, kAllLevels,
+                                 [](RefinedMesh& refined) { --refined.vertex_levels.back(); });
+    EXPECT_NE(mislabelled.difference, "");
   }
 }
 

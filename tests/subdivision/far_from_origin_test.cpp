@@ -123,9 +123,9 @@ TEST(NearTheOrigin, WrittenNumbersAreThoseOfTheFloats) {
                        "v 0.5092593 -0.5092593 0.5092593\n"
                        "v -0.5092593 0.5092593 0.5092593\n"
                        "v 0.5092593 0.5092593 0.5092593\n"
-                       "v 0 0 0.8784722\n"))
+                       "v -0.30208334 -0.5989583 0.5989583\n"))
       << text;
-  EXPECT_EQ(hash_of(text), 0xC19B3CA4F7C4F232u) << text;  // Every number to the last digit.
+  EXPECT_EQ(hash_of(text), 0xCFB61F5F7B4B95DCu) << text;  // Every number to the last digit.
 }
 
 }  // namespace

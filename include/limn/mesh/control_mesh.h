@@ -47,6 +47,7 @@ struct FlatTopology {
       vertex_corners;  ///< C, corners around each vertex, counter-clockwise;
                        ///< at a boundary vertex from one boundary edge to the other.
   std::vector<std::uint32_t> corner_faces;  ///< C, the face a corner belongs to.
+  std::vector<std::uint32_t> corner_ranks;  ///< C, its place in `vertex_corners` of its vertex.
 };
 
 /// What a control mesh carries besides its surface.

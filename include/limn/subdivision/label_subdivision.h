@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include "limn/error.h"
@@ -33,12 +34,33 @@ struct RefineLimits {
 ///
 /// `labels` must be legal (from `legal_labels`). Crack-free: an edge is split exactly when one of
 /// its ends is positive. Exact: every vertex that was made or last moved at level k lies at its
-/// position P_k of uniform Catmull-Clark, thanks to the virtual edge points of Y-elements.
-/// Boundaries follow the cubic B-spline. The same input gives the same bytes for any number of
-/// threads. Time and memory are proportional to the output.
+/// position P_k of uniform Catmull-Clark. Boundaries follow the cubic B-spline; the mesh's creases
+/// and corners hold for as many levels as they are sharp (DeRose, Kass & Truong 1998). The same
+/// input gives the same bytes for any number of threads. Time and memory are proportional to the
+/// output.
 /// Errors: kOverBudget (before any work, with the exact count), kCancelled.
 [[nodiscard]] Result<RefinedMesh> refine(const ControlMesh& mesh, const VertexLabels& labels,
                                          const SubdivisionSettings& settings,
                                          const RefineLimits& limits, Progress& progress);
+
+/// `refine` for those who do it again and again, while an artist paints: it keeps its working
+/// memory and writes into a result that is there already. A result that is large enough is not
+/// allocated anew, and then nothing else is either.
+class Refiner {
+ public:
+  Refiner();
+  ~Refiner();
+  Refiner(Refiner&&) noexcept;
+  Refiner& operator=(Refiner&&) noexcept;
+
+  /// Replaces the contents of `result`; after an error these are unspecified.
+  [[nodiscard]] Result<void> refine(const ControlMesh& mesh, const VertexLabels& labels,
+                                    const SubdivisionSettings& settings, const RefineLimits& limits,
+                                    Progress& progress, RefinedMesh& result);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
 
 }  // namespace limn

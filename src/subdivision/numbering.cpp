@@ -1,0 +1,95 @@
+// One pass over the faces counts, one assigns; a face's counts follow from its labels alone.
+#include "subdivision/numbering.h"
+
+#include <algorithm>
+
+#include "limn/contract.h"
+#include "subdivision/label_counts.h"
+
+namespace limn {
+namespace {
+
+enum Kind : std::size_t { kQuads, kVertices, kPolygons, kPolygonSides };
+using Sizes = std::array<std::uint64_t, 4>;
+
+std::uint32_t on_edge(const FaceLabels& labels, std::size_t side) {
+  const std::size_t after = side + 1 == labels.size() ? 0 : side + 1;
+  return LabelCounts::table().edge(labels[side], labels[after]);
+}
+
+/// Calls `visit(edge, side)` for the sides whose edges are numbered with this face.
+template <class Visit>
+void for_each_own_edge(const Cage& cage, std::size_t f, const Visit& visit) {
+  const std::uint32_t first = cage.first_corner(f);
+  const std::uint32_t n = cage.side_count(f);
+  for (std::uint32_t side = 0; side < n; ++side) {
+    const std::uint32_t edge = cage.topology->corner_edges[first + side];
+    if (cage.topology->edge_corners[edge][0] == first + side) {
+      visit(edge, side);
+    }
+  }
+}
+
+bool is_zero(const FaceLabels& labels) {
+  if (labels.size() != 4) {
+    return labels[0] == 0;  // The labels of a face that is no quad are positive throughout or not
+  }                         // at all.
+  return (labels[0] | labels[1] | labels[2] | labels[3]) == 0;
+}
+
+FaceCounts counts_of(const FaceLabels& labels) {
+  const LabelCounts& table = LabelCounts::table();
+  if (labels.size() != 4) {
+    return table.split(labels);
+  }
+  const FaceCounts& counts = table.face({labels[0], labels[1], labels[2], labels[3]});
+  LIMN_EXPECTS(counts.quads > 0);  // Else the labels are illegal.
+  return counts;
+}
+
+Sizes sizes_of(const Cage& cage, std::span<const std::uint8_t> all, std::size_t f) {
+  const FaceLabels labels(cage, all, f);
+  if (is_zero(labels)) {
+    return labels.size() == 4 ? Sizes{1, 0, 0, 0} : Sizes{0, 0, 1, labels.size()};
+  }
+  const FaceCounts counts = counts_of(labels);
+  Sizes sizes{counts.quads, counts.inside, 0, 0};
+  for_each_own_edge(cage, f, [&](std::uint32_t, std::uint32_t side) {
+    sizes[kVertices] += on_edge(labels, side);
+  });
+  return sizes;
+}
+
+}  // namespace
+
+RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
+                               std::span<const std::uint8_t> labels) {
+  const std::size_t faces = cage.face_count();
+  faces_.resize(faces);
+  insides_.resize(faces);
+  edges_.resize(cage.topology->edge_corners.size());
+  polygon_sides_.resize(cage.is_all_quads ? 0 : faces);
+
+  const Sizes start{0, cage.vertex_count(), 0, 0};
+  const auto sizes = [&](std::size_t f) { return sizes_of(cage, labels, f); };
+  const Sizes ends = sweep.number(faces, start, sizes, [&](std::size_t f, const Sizes& first) {
+    const FaceLabels face(cage, labels, f);
+    if (is_zero(face)) {
+      faces_[f] = static_cast<std::uint32_t>(first[face.size() == 4 ? kQuads : kPolygons]);
+      if (face.size() != 4) {
+        polygon_sides_[f] = static_cast<std::uint32_t>(first[kPolygonSides]);
+      }
+      return;
+    }
+    faces_[f] = static_cast<std::uint32_t>(first[kQuads]);
+    std::uint64_t vertex = first[kVertices];
+    for_each_own_edge(cage, f, [&](std::uint32_t edge, std::uint32_t side) {
+      edges_[edge] = static_cast<std::uint32_t>(vertex);
+      vertex += on_edge(face, side);
+    });
+    insides_[f] = static_cast<std::uint32_t>(vertex);
+  });
+  return {ends[kQuads], ends[kVertices], ends[kPolygons], ends[kPolygonSides]};
+}
+
+}  // namespace limn

@@ -1,0 +1,390 @@
+// A quadtree walk. A node whose labels are all equal becomes a grid that is refined as a whole;
+// any other splits, or becomes a Y-element, and its children go on with the 4 x 4 points around
+// them out of the node's 5 x 5. Children keep their parent's orientation: child i has the parent's
+// corner i as its own corner i.
+#include "subdivision/patch.h"
+
+#include <algorithm>
+
+#include "limn/contract.h"
+#include "subdivision/parallel_ranges.h"
+#include "subdivision/patch_levels.h"
+
+namespace limn {
+namespace {
+
+/// Uniform nodes of up to so many levels are refined as one grid, whose last stored level fits the
+/// second-level cache.
+constexpr int kGridLevels = 6;
+constexpr std::size_t kGridSide = (std::size_t{1} << kGridLevels) + 1;          ///< Vertices.
+constexpr std::size_t kStoredSide = (std::size_t{1} << (kGridLevels - 1)) + 3;  ///< With a ring.
+/// Children of nodes with so many quads are worth a task of their own.
+constexpr std::uint32_t kParallelQuads = std::uint32_t{1} << 17;
+
+constexpr std::size_t kAround = 5;  ///< Points along a side of one face's next level, with a ring.
+
+class PatchWriter {
+ public:
+  PatchWriter(const Patch& patch, std::uint32_t control_face, const RefinedArrays& arrays)
+      : patch_(&patch), control_face_(control_face), arrays_(&arrays) {}
+
+  void write(const Node& node, const GridView& grid) const;
+
+ private:
+  void write_uniform(const Node& node, const GridView& grid) const;
+  void write_uniform_quads(const Node& node, std::size_t n) const;
+  void write_split(const Node& node, const GridView& grid) const;
+  void write_y(const Node& node, const GridView& grid) const;
+  void put_quad(std::uint32_t at, const std::array<std::uint32_t, 4>& quad, int level) const;
+
+  const Patch* patch_;
+  std::uint32_t control_face_;
+  const RefinedArrays* arrays_;
+};
+
+PatchGrid around(const Node& node, const GridView& grid) {
+  return {grid, node.level, node.column, node.row, node.patch_corners, node.patch_sides};
+}
+
+/// One face's next level, ring included, and where its own points stand.
+struct Around {
+  std::array<Point, kAround * kAround> points;
+
+  [[nodiscard]] const Point& corner(std::size_t i) const {
+    constexpr std::array<std::size_t, 4> kAt{6, 8, 18, 16};
+    return points[kAt[i]];
+  }
+  [[nodiscard]] const Point& side(std::size_t i) const {
+    constexpr std::array<std::size_t, 4> kAt{7, 13, 17, 11};
+    return points[kAt[i]];
+  }
+  [[nodiscard]] const Point& centre() const { return points[12]; }
+  /// Child i with the points around it.
+  [[nodiscard]] GridView child(std::size_t i) const {
+    constexpr std::array<std::size_t, 4> kAt{0, 1, kAround + 1, kAround};
+    return {points.data() + kAt[i], kAround, 1};
+  }
+};
+
+/// What the sides and the face point of a node turn into.
+struct Midpoints {
+  std::array<std::uint8_t, 4> labels{};
+  std::array<std::uint32_t, 4> vertices{};  ///< kNone: the side is not split.
+  std::array<EdgeRun, 4> first_halves{};    ///< From corner i on.
+  std::array<EdgeRun, 4> second_halves{};
+};
+
+Midpoints midpoints_of(const Node& node) {
+  const LabelCounts& counts = LabelCounts::table();
+  Midpoints midpoints;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint8_t a = node.labels[i];
+    const std::uint8_t b = node.labels[(i + 1) % 4];
+    midpoints.vertices[i] = kNone;
+    if (a > 0 || b > 0) {
+      const std::uint8_t label = edge_point_label(a, b);
+      const std::uint32_t before = counts.edge(lowered(a), label);
+      midpoints.labels[i] = label;
+      midpoints.vertices[i] = node.sides[i].at(before);
+      midpoints.first_halves[i] = node.sides[i];
+      midpoints.second_halves[i] = node.sides[i].from(before + 1);
+    }
+  }
+  return midpoints;
+}
+
+EdgeRun reversed(const EdgeRun& run, std::uint32_t count) {
+  return {run.at(count - 1), 0u - run.step};
+}
+
+void PatchWriter::put_quad(std::uint32_t at, const std::array<std::uint32_t, 4>& quad,
+                           int level) const {
+  arrays_->quads[at] = quad;
+  if (arrays_->face_control_faces != nullptr) {
+    arrays_->face_control_faces[at] = control_face_;
+    arrays_->face_levels[at] = static_cast<std::uint8_t>(level);
+  }
+}
+
+void PatchWriter::write(const Node& node, const GridView& grid) const {
+  const auto [a, b, c, d] = node.labels;
+  if (a == b && b == c && c == d && a > 0 && a <= kGridLevels) {
+    write_uniform(node, grid);
+    return;
+  }
+  switch (std::ranges::count_if(node.labels, [](std::uint8_t label) { return label > 0; })) {
+    case 0:
+      put_quad(node.quad, node.corners, node.level);
+      return;
+    case 1:
+      write_y(node, grid);
+      return;
+    default:
+      write_split(node, grid);
+  }
+}
+
+/// Gives each child what it has of the node's patch, and the owned corners that go on moving.
+void PatchWriter::write_split(const Node& node, const GridView& grid) const {
+  const LabelCounts& counts = LabelCounts::table();
+  Around next;
+  step_down(*patch_, around(node, grid), next.points.data());
+  const int level = node.level + 1;
+  const Midpoints midpoints = midpoints_of(node);
+  const std::uint8_t centre_label = face_point_label(node.labels);
+  const std::uint32_t centre = node.inside;
+
+  std::array<Node, 4> children;
+  std::array<EdgeRun, 4> inner;  // From the midpoint of side i to the centre.
+  std::uint32_t next_vertex = node.inside + 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    inner[i] = {next_vertex, 1};
+    next_vertex += counts.edge(midpoints.labels[i], centre_label);
+  }
+  std::uint32_t next_quad = node.quad;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t after = (i + 1) % 4;
+    const std::size_t opposite = (i + 2) % 4;
+    const std::size_t before = (i + 3) % 4;
+    Node& child = children[i];
+    child.level = level;
+    child.column = 2 * node.column + (i == 1 || i == 2 ? 1 : 0);
+    child.row = 2 * node.row + (i >= 2 ? 1 : 0);
+    child.labels[i] = lowered(node.labels[i]);
+    child.labels[after] = midpoints.labels[i];
+    child.labels[opposite] = centre_label;
+    child.labels[before] = midpoints.labels[before];
+    child.corners[i] = node.corners[i];
+    child.corners[after] = midpoints.vertices[i];
+    child.corners[opposite] = centre;
+    child.corners[before] = midpoints.vertices[before];
+    child.sides[i] = midpoints.first_halves[i];
+    child.sides[after] = inner[i];
+    child.sides[opposite] =
+        reversed(inner[before], counts.edge(midpoints.labels[before], centre_label));
+    child.sides[before] = midpoints.second_halves[before];
+    child.inside = next_vertex;
+    child.quad = next_quad;
+    const FaceCounts& part = counts.face(child.labels);
+    next_vertex += part.inside;
+    next_quad += part.quads;
+    child.owned_sides = static_cast<std::uint8_t>(node.owned_sides & (bit(i) | bit(before)));
+    child.patch_corners = static_cast<std::uint8_t>(node.patch_corners & bit(i));
+    child.patch_sides = static_cast<std::uint8_t>(node.patch_sides & (bit(i) | bit(before)));
+  }
+
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t after = (i + 1) % 4;
+    if (has(node.owned_corners, i)) {
+      if (children[i].labels[i] > 0) {
+        children[i].owned_corners |= bit(i);
+      } else {
+        arrays_->put(node.corners[i], next.corner(i), level);
+      }
+    }
+    if (has(node.owned_sides, i) && midpoints.vertices[i] != kNone) {
+      // It moves on with a child that has it beside a positive corner.
+      if (children[i].labels[i] > 0 || has(node.lifted_sides, i)) {
+        children[i].owned_corners |= bit(after);
+      } else if (children[after].labels[after] > 0) {
+        children[after].owned_corners |= bit(i);
+      } else {
+        arrays_->put(midpoints.vertices[i], next.side(i), level);
+      }
+    }
+    // The inner edge from the midpoint of side i to the centre has children i and i + 1 beside it.
+    // If a face point makes its own midpoint move once more, the child with that face point owns
+    // it.
+    const std::size_t before = (i + 3) % 4;
+    const std::uint8_t greater = std::max(midpoints.labels[i], centre_label);
+    const bool by_first = greater == 1 && face_point_label(children[i].labels) > 0;
+    const bool by_second = greater == 1 && face_point_label(children[after].labels) > 0;
+    if (by_second && !by_first) {
+      children[after].owned_sides |= bit(before);
+      children[after].lifted_sides |= bit(before);
+    } else {
+      children[i].owned_sides |= bit(after);
+      children[i].lifted_sides |= bit(after, by_first);
+    }
+  }
+  if (centre_label > 0) {
+    children[0].owned_corners |= bit(2);
+  } else {
+    arrays_->put(centre, next.centre(), level);
+  }
+
+  const auto write_children = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      write(children[i], next.child(i));
+    }
+  };
+  if (next_quad - node.quad >= kParallelQuads) {
+    parallel_ranges(0, 4, 1, write_children);
+  } else {
+    write_children(0, 4);
+  }
+}
+
+void PatchWriter::write_y(const Node& node, const GridView& grid) const {
+  Around next;
+  step_down(*patch_, around(node, grid), next.points.data());
+  const int level = node.level + 1;
+  const Midpoints midpoints = midpoints_of(node);
+  const auto positive = static_cast<std::size_t>(
+      std::ranges::find_if(node.labels, [](std::uint8_t label) { return label > 0; }) -
+      node.labels.begin());
+  const std::size_t after = (positive + 1) % 4;
+  const std::size_t opposite = (positive + 2) % 4;
+  const std::size_t before = (positive + 3) % 4;
+  const std::uint32_t centre = node.inside;
+
+  Node child;
+  child.level = level;
+  child.column = 2 * node.column + (positive == 1 || positive == 2 ? 1 : 0);
+  child.row = 2 * node.row + (positive >= 2 ? 1 : 0);
+  child.labels[positive] = lowered(node.labels[positive]);
+  child.corners[positive] = node.corners[positive];
+  child.corners[after] = midpoints.vertices[positive];
+  child.corners[opposite] = centre;
+  child.corners[before] = midpoints.vertices[before];
+  child.sides[positive] = midpoints.first_halves[positive];
+  child.sides[before] = midpoints.second_halves[before];
+  child.inside = node.inside + 1;
+  child.quad = node.quad;
+  child.owned_sides = static_cast<std::uint8_t>(node.owned_sides & (bit(positive) | bit(before)));
+  child.patch_corners = static_cast<std::uint8_t>(node.patch_corners & bit(positive));
+  child.patch_sides = static_cast<std::uint8_t>(node.patch_sides & (bit(positive) | bit(before)));
+
+  const bool goes_on = child.labels[positive] > 0;
+  for (const std::size_t i : {positive, after, before}) {
+    if (has(node.owned_corners, i)) {
+      if (i == positive && goes_on) {
+        child.owned_corners |= bit(i);
+      } else {
+        arrays_->put(node.corners[i], next.corner(i), level);
+      }
+    }
+  }
+  const auto put_midpoint = [&](std::size_t side, std::size_t child_corner) {
+    if (has(node.owned_sides, side)) {
+      if (goes_on) {
+        child.owned_corners |= bit(child_corner);
+      } else {
+        arrays_->put(midpoints.vertices[side], next.side(side), level);
+      }
+    }
+  };
+  put_midpoint(positive, after);
+  put_midpoint(before, before);
+  arrays_->put(centre, next.centre(), level);
+
+  write(child, next.child(positive));
+  const std::uint32_t quad = node.quad + LabelCounts::table().face(child.labels).quads;
+  put_quad(quad,
+           {midpoints.vertices[positive], node.corners[after], node.corners[opposite], centre},
+           level);
+  put_quad(quad + 1,
+           {midpoints.vertices[before], centre, node.corners[opposite], node.corners[before]},
+           level);
+}
+
+/// The numbers of a uniform node's vertices, row by row.
+class RowNumbers {
+ public:
+  RowNumbers(const Node& node, std::size_t n) : node_(&node), n_(static_cast<std::uint32_t>(n)) {}
+
+  void fill(std::uint32_t row, std::uint32_t* out) const {
+    const std::array<std::uint32_t, 4>& corners = node_->corners;
+    const std::array<EdgeRun, 4>& sides = node_->sides;
+    if (row == 0 || row == n_) {
+      const bool is_first = row == 0;
+      out[0] = corners[is_first ? 0 : 3];
+      for (std::uint32_t i = 1; i < n_; ++i) {
+        out[i] = is_first ? sides[0].at(i - 1) : sides[2].at(n_ - 1 - i);
+      }
+      out[n_] = corners[is_first ? 1 : 2];
+      return;
+    }
+    out[0] = sides[3].at(n_ - 1 - row);
+    const std::uint32_t first = node_->inside + (row - 1) * (n_ - 1);
+    for (std::uint32_t i = 1; i < n_; ++i) {
+      out[i] = first + i - 1;
+    }
+    out[n_] = sides[1].at(row - 1);
+  }
+
+ private:
+  const Node* node_;
+  std::uint32_t n_;
+};
+
+void PatchWriter::write_uniform_quads(const Node& node, std::size_t n) const {
+  const RowNumbers numbers(node, n);
+  std::array<std::array<std::uint32_t, kGridSide>, 2> rows;
+  numbers.fill(0, rows[0].data());
+  std::array<std::uint32_t, 4>* quad = arrays_->quads + node.quad;
+  for (std::uint32_t row = 0; row < n; ++row) {
+    const std::uint32_t* below = rows[row % 2].data();
+    std::uint32_t* above = rows[(row + 1) % 2].data();
+    numbers.fill(row + 1, above);
+    for (std::size_t i = 0; i < n; ++i) {
+      quad[i] = {below[i], below[i + 1], above[i + 1], above[i]};
+    }
+    quad += n;
+  }
+  if (arrays_->face_control_faces != nullptr) {
+    std::fill_n(arrays_->face_control_faces + node.quad, n * n, control_face_);
+    std::fill_n(arrays_->face_levels + node.quad, n * n,
+                static_cast<std::uint8_t>(node.level + node.labels[0]));
+  }
+}
+
+void PatchWriter::write_uniform(const Node& node, const GridView& grid) const {
+  std::array<std::array<Point, kStoredSide * kStoredSide>, 2> levels;
+  PatchGrid last = around(node, grid);
+  for (int step = 1; step < node.labels[0]; ++step) {
+    Point* out = levels[static_cast<std::size_t>(step) % 2].data();
+    step_down(*patch_, last, out);
+    const std::size_t n = 2 * last.grid.n;
+    last.grid = {out, n + 3, n};
+    ++last.level;
+    last.column *= 2;
+    last.row *= 2;
+  }
+  const std::size_t n = 2 * last.grid.n;
+  write_uniform_quads(node, n);
+
+  const int level = last.level + 1;
+  const std::size_t inner = (n - 1) * (n - 1);
+  float* points = arrays_->points + arrays_->width * node.inside;
+  for (std::size_t row = 2; row <= n; ++row) {
+    const auto write_row = patch_->is_bilinear ? bilinear_inner_row : refine_inner_row;
+    write_row(last.grid, row, points, arrays_->width);
+    points += arrays_->width * (n - 1);
+  }
+  if (arrays_->vertex_levels != nullptr) {
+    std::fill_n(arrays_->vertex_levels + node.inside, inner, static_cast<std::uint8_t>(level));
+  }
+  std::array<Point, kGridSide + 1> line;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (has(node.owned_sides, i)) {
+      step_down_side(*patch_, last, i, line.data());
+      for (std::uint32_t at = 1; at < n; ++at) {
+        const auto along = static_cast<std::uint32_t>(i < 2 ? at - 1 : n - 1 - at);
+        arrays_->put(node.sides[i].at(along), line[at], level);
+      }
+    }
+    if (has(node.owned_corners, i)) {
+      arrays_->put(node.corners[i], step_down_corner(*patch_, last, i), level);
+    }
+  }
+}
+
+}  // namespace
+
+void refine_patch(const Patch& patch, const Node& node, std::uint32_t control_face,
+                  const RefinedArrays& arrays) {
+  PatchWriter(patch, control_face, arrays).write(node, {patch.grid.data(), 4, 1});
+}
+
+}  // namespace limn

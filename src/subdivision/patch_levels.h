@@ -1,0 +1,29 @@
+#pragma once
+
+#include "subdivision/patch.h"
+
+// A step down inside a patch. Internal to this folder.
+namespace limn {
+
+/// n x n faces of one level in a patch, and which of the patch's own corners and sides they touch,
+/// as in a Node.
+struct PatchGrid {
+  GridView grid;
+  int level = 0;
+  std::uint32_t column = 0;  ///< Of the first face among the patch's.
+  std::uint32_t row = 0;
+  std::uint8_t patch_corners = 0;
+  std::uint8_t patch_sides = 0;
+};
+
+/// The same faces one level down with their ring: (2 n + 3)^2 points, row by row.
+void step_down(const Patch& patch, const PatchGrid& from, Point* out);
+
+/// One level down along side i only, in the direction of growing column or row: 2 n + 1 points, of
+/// which the corners' do not count. `out` has room for 2 n + 2.
+void step_down_side(const Patch& patch, const PatchGrid& from, std::size_t side, Point* out);
+
+/// Corner i one level down.
+[[nodiscard]] Point step_down_corner(const Patch& patch, const PatchGrid& from, std::size_t i);
+
+}  // namespace limn

@@ -1,0 +1,193 @@
+// Two numberings (how many points each ring needs, then where they start) and two loops that run a
+// VertexRing down the levels: around vertices first, whose edge points the faces' rings begin with.
+#include "subdivision/ring_tables.h"
+
+#include <algorithm>
+
+#include "subdivision/ring_seed.h"
+
+namespace limn {
+namespace {
+
+bool is_irregular(const Cage& cage, std::uint32_t v, const Fan& fan) {
+  if (fan.corners.size() != (fan.is_boundary ? 2u : 4u) || cage.vertex_sharpness(v) > 0.0f ||
+      (fan.is_boundary && cage.averaging == Averaging::kPinned)) {
+    return true;
+  }
+  if (cage.is_all_quads && cage.creases->edge_sharpness.empty()) {
+    return false;
+  }
+  for (const std::uint32_t corner : fan.corners) {
+    if (cage.side_count(cage.face_of(corner)) != 4 ||
+        (cage.topology->corner_twins[corner] != kNone &&
+         cage.edge_sharpness(cage.topology->corner_edges[corner]) > 0.0f)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::uint8_t greatest_label(const Cage& cage, std::span<const std::uint8_t> labels,
+                            std::uint32_t f) {
+  std::uint8_t greatest = 0;
+  const std::uint32_t first = cage.first_corner(f);
+  const std::uint32_t n = cage.side_count(f);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    greatest = std::max(greatest, labels[cage.topology->corner_vertices[first + i]]);
+  }
+  return greatest;
+}
+
+/// Level 0 around a vertex of the cage.
+void seed(VertexRing& ring, const Cage& cage, const RingTables& tables, std::uint32_t v) {
+  const FlatTopology& topology = *cage.topology;
+  const Fan fan = fan_of(cage, v);
+  seed_sharpness(ring, cage, v);
+  ring.centre() = cage.point(v);
+  for (std::size_t i = 0; i < fan.corners.size(); ++i) {
+    const std::uint32_t corner = fan.corners[i];
+    ring.edges()[i] = cage.point(topology.corner_vertices[cage.next(corner)]);
+    ring.centroids()[i] = tables.centroid(cage, cage.face_of(corner));
+  }
+  if (fan.is_boundary) {
+    ring.edges().back() = cage.point(topology.corner_vertices[cage.previous(fan.corners.back())]);
+  }
+}
+
+Point* keep(VertexRing& ring, Point* at) {
+  *at++ = ring.centre();
+  return std::ranges::copy(ring.edges(), at).out;
+}
+
+/// One per thread, so that rings cost no allocation.
+VertexRing& ring_of_this_thread() {
+  thread_local VertexRing ring;
+  return ring;
+}
+
+}  // namespace
+
+void RingTables::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels) {
+  const std::size_t vertices = cage.vertex_count();
+  const std::size_t polygons = cage.is_all_quads ? 0 : cage.face_count();
+  build_centroids(sweep, cage, labels);
+  rows_.build(cage);
+
+  vertex_levels_.resize(vertices);
+  sweep.each(vertices, [&](std::size_t v) {
+    const Fan fan = fan_of(cage, static_cast<std::uint32_t>(v));
+    std::uint8_t levels = 0;
+    if (is_irregular(cage, static_cast<std::uint32_t>(v), fan)) {
+      for (const std::uint32_t corner : fan.corners) {
+        const std::uint32_t f = cage.face_of(corner);
+        levels = std::max(
+            levels, cage.side_count(f) == 4 ? greatest_label(cage, labels, f) : face_levels_[f]);
+      }
+    }
+    vertex_levels_[v] = levels;
+  });
+  number_points(sweep, cage);
+  sweep.each(vertices, [&](std::size_t v) { run_vertex(cage, static_cast<std::uint32_t>(v)); });
+  sweep.each(polygons, [&](std::size_t f) { run_face(cage, static_cast<std::uint32_t>(f)); });
+}
+
+void RingTables::build_centroids(Sweep& sweep, const Cage& cage,
+                                 std::span<const std::uint8_t> labels) {
+  const std::size_t polygons = cage.is_all_quads ? 0 : cage.face_count();
+  face_levels_.resize(polygons);
+  centroids_.resize(polygons);
+  sweep.each(polygons, [&](std::size_t i) {
+    const auto f = static_cast<std::uint32_t>(i);
+    face_levels_[f] = 0;
+    if (cage.side_count(f) != 4) {
+      face_levels_[f] = greatest_label(cage, labels, f);
+      centroids_[f] = cage.centroid(f);
+    }
+  });
+}
+
+/// Where each ring's points start.
+void RingTables::number_points(Sweep& sweep, const Cage& cage) {
+  using Sizes = std::array<std::uint64_t, 1>;
+  const auto of_ring = [](std::uint8_t levels, std::size_t edges) {
+    return Sizes{levels * (edges + std::uint64_t{1})};
+  };
+  const auto vertex_points = [&](std::size_t v) {
+    if (vertex_levels_[v] == 0) {
+      return Sizes{0};
+    }
+    const Fan fan = fan_of(cage, static_cast<std::uint32_t>(v));
+    return of_ring(vertex_levels_[v], fan.corners.size() + (fan.is_boundary ? 1 : 0));
+  };
+  const auto face_points = [&](std::size_t f) {
+    return of_ring(face_levels_[f], cage.side_count(f));
+  };
+  vertex_firsts_.resize(vertex_levels_.size());
+  face_firsts_.resize(face_levels_.size());
+  Sizes next{0};
+  next = sweep.number(vertex_levels_.size(), next, vertex_points, [&](std::size_t v, Sizes first) {
+    vertex_firsts_[v] = vertex_levels_[v] == 0 ? kNone : static_cast<std::uint32_t>(first[0]);
+  });
+  next = sweep.number(face_levels_.size(), next, face_points, [&](std::size_t f, Sizes first) {
+    face_firsts_[f] = face_levels_[f] == 0 ? kNone : static_cast<std::uint32_t>(first[0]);
+  });
+  points_.resize(next[0]);
+}
+
+void RingTables::run_vertex(const Cage& cage, std::uint32_t v) {
+  if (vertex_levels_[v] == 0) {
+    return;
+  }
+  VertexRing& ring = ring_of_this_thread();
+  seed(ring, cage, *this, v);
+  Point* at = points_.data() + vertex_firsts_[v];
+  for (int level = 1; level <= vertex_levels_[v]; ++level) {
+    ring.step(cage.creases->method, cage.corners);
+    at = keep(ring, at);
+  }
+}
+
+/// Seen from its centre, the face's quad at corner i + 1 lies between the points on sides i and
+/// i + 1.
+void RingTables::run_face(const Cage& cage, std::uint32_t f) {
+  if (face_levels_[f] == 0) {
+    return;
+  }
+  VertexRing& ring = ring_of_this_thread();
+  const std::uint32_t n = cage.side_count(f);
+  const std::uint32_t first = cage.first_corner(f);
+  const auto ring_at = [&](std::uint32_t corner) {
+    return of_vertex(cage, cage.topology->corner_vertices[corner]);
+  };
+  ring.reset(n, false);
+  ring.centre() = centroids_[f];
+  for (std::uint32_t side = 0; side < n; ++side) {
+    ring.edges()[side] = ring_at(first + side).edge(1, cage.topology->corner_ranks[first + side]);
+  }
+  for (std::uint32_t side = 0; side < n; ++side) {
+    const std::uint32_t after = side + 1 == n ? 0 : side + 1;
+    ring.centroids()[side] = (ring.centre() + ring.edges()[side] + ring.edges()[after] +
+                              ring_at(first + after).centre(1)) *
+                             0.25;
+  }
+  Point* at = keep(ring, points_.data() + face_firsts_[f]);
+  for (int level = 2; level <= face_levels_[f]; ++level) {
+    ring.step(cage.creases->method, cage.corners);
+    at = keep(ring, at);
+  }
+}
+
+RingView RingTables::of_vertex(const Cage& cage, std::uint32_t v) const noexcept {
+  if (vertex_firsts_[v] == kNone) {
+    return {};
+  }
+  const Fan fan = fan_of(cage, v);
+  return {points_.data() + vertex_firsts_[v], fan.corners.size() + (fan.is_boundary ? 1 : 0), 1,
+          vertex_levels_[v]};
+}
+
+RingView RingTables::of_face(const Cage& cage, std::uint32_t f) const noexcept {
+  return {points_.data() + face_firsts_[f], cage.side_count(f), 1, face_levels_[f]};
+}
+
+}  // namespace limn
