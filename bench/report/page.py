@@ -4,10 +4,10 @@ from names import BOUNDS, LAYOUTS, MAIN, PAINTED, PICKING, PROGRAMS, works
 
 
 def page(results):
-    sections = [opening(results), at_a_glance(results), uniform(results), memory(results),
-                adaptive(results), machine_bounds(results), picking(results), agreement(results),
-                not_measured(results), method(results)]
-    return "\n\n".join(section for section in sections if section) + "\n"
+    sections = [opening, at_a_glance, uniform, memory, adaptive, machine_bounds, others, picking,
+                agreement, not_measured, method]
+    texts = [section(results) for section in sections]
+    return "\n\n".join(text for text in texts if text) + "\n"
 
 
 def table(head, rows, words=1):
@@ -193,6 +193,27 @@ def picking(results):
 Questions about a picture of {faces:,.0f} quads, 1024 by 1024 pixels, answered by OpenGL: {gpu(results)}.
 
 {table(["", "ms"], rows)}"""
+
+
+def number(value):
+    if value is None:
+        return ""
+    return f"{value:,.0f}" if value == int(value) else f"{value:.4g}"
+
+
+def others(results):
+    """Groups that have no section of their own: every counter of every case."""
+    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement"}
+    sections = []
+    for group in sorted({case.path[0] for case in results.cases.values()} - known):
+        cases = results.group(group)
+        counters = sorted({name for case in cases for name in case.counters})
+        rows = [["/".join(case.path[1:]), milliseconds(case)] +
+                [number(case.counters.get(name)) for name in counters] for case in cases]
+        sections.append(f"## {group.capitalize()}\n\n" + table(
+            ["", "ms: median (least to most)"] + [name.replace("_", " ") for name in counters],
+            rows))
+    return "\n\n".join(sections)
 
 
 def agreement(results):

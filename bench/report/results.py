@@ -44,7 +44,7 @@ OPTIONS = ("iterations:", "repeats:", "manual_time", "real_time", "process_time"
 
 
 class Results:
-    """The machine and the cases by name, in the order of their names."""
+    """The machine and the cases by name."""
 
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
@@ -72,9 +72,11 @@ class Results:
         return case if case and case.times and not case.error else None
 
     def group(self, *path):
-        """The cases whose path begins so."""
-        return [case for case in self.cases.values()
-                if case.path[:len(path)] == [str(part) for part in path] and case.times]
+        """The cases whose path begins so, in the order of their paths, numbers by size."""
+        found = [case for case in self.cases.values()
+                 if case.path[:len(path)] == [str(part) for part in path] and case.times]
+        return sorted(found, key=lambda case: [(not part.isdigit(), int(part) if part.isdigit()
+                                                else 0, part) for part in case.path])
 
     def failures(self):
         return [case for case in self.cases.values() if case.error]
