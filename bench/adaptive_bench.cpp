@@ -40,13 +40,20 @@ VertexLabels labels_of(const Painting& painting) {
   return legal->labels;
 }
 
-void refine_painting(benchmark::State& state, const VertexLabels& labels) {
+void refine_painting(benchmark::State& state, const VertexLabels& labels, bool into_retained) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const ControlMesh& mesh = control_mesh(kMesh);
   return_free_memory();
   IgnoreProgress progress;
+  Refiner refiner;
   RefinedMesh result;
-  time_run(state, [&] { result = refine(mesh, labels, {}, {}, progress).value(); });
+  const auto refine = [&] {
+    LIMN_EXPECTS(refiner.refine(mesh, labels, {}, {}, progress, result).has_value());
+  };
+  if (into_retained) {
+    refine();
+  }
+  time_run(state, refine);
   const RefinementPrediction prediction = predict_refinement(mesh, labels);
   if (result.face_count() != prediction.faces || result.vertex_count() != prediction.vertices) {
     fail_run(state, "not the counts that were foretold");
@@ -75,13 +82,15 @@ void register_adaptive(Extent extent) {
       const Painting painting{layout, percent, depth};
       // The labels are found when the case first runs, and kept for its other runs.
       const auto labels = std::make_shared<VertexLabels>();
-      add_case("adaptive/" + name_of(painting) + "/limn", quick ? 3 : 5,
-               [painting, labels](benchmark::State& state) {
-                 if (labels->empty()) {
-                   *labels = labels_of(painting);
-                 }
-                 refine_painting(state, *labels);
-               });
+      for (const bool into_retained : {false, true}) {
+        add_case("adaptive/" + name_of(painting) + (into_retained ? "/limn_retained" : "/limn"),
+                 quick ? 3 : 5, [=](benchmark::State& state) {
+                   if (labels->empty()) {
+                     *labels = labels_of(painting);
+                   }
+                   refine_painting(state, *labels, into_retained);
+                 });
+      }
     }
   }
 }

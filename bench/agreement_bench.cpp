@@ -4,19 +4,19 @@
 
 #include "agreement.h"
 #include "cases.h"
-#include "peers/refiner.h"
+#include "peers/subdivider.h"
 
 namespace limn::bench {
 namespace {
 
 void compare(benchmark::State& state, const std::string& program, const Work& work) {
-  Refiner& limn = cached_refiner("limn", work.mesh);
-  Refiner& peer = cached_refiner(program, work.mesh);
+  Subdivider& limn = cached_subdivider("limn", work.mesh);
+  Subdivider& peer = cached_subdivider(program, work.mesh);
   double distance = 0.0;
   time_run(state, [&] {
-    for (Refiner* refiner : {&limn, &peer}) {
-      refiner->prepare();
-      refiner->refine(work.levels);
+    for (Subdivider* each : {&limn, &peer}) {
+      each->prepare();
+      each->refine(work.levels);
     }
     distance = largest_distance(limn.positions(), peer.positions());
   });

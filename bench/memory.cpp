@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -14,7 +15,7 @@
 
 #include <tbb/global_control.h>
 
-#include "peers/refiner.h"
+#include "peers/subdivider.h"
 
 namespace limn::bench {
 namespace {
@@ -24,6 +25,8 @@ constexpr std::size_t kHugePage = std::size_t{2} << 20;
 constexpr std::size_t kHugeFrom = 4 * kHugePage;
 
 bool huge_pages_for_all = false;
+
+std::atomic<std::size_t> allocations{0};
 
 /// A figure of /proc/self/status in bytes, 0 where it is not there.
 std::size_t status_bytes(const std::string& name) {
@@ -52,6 +55,10 @@ void settle_allocator() {
 
 void return_free_memory() {
   malloc_trim(0);
+}
+
+std::size_t allocation_count() {
+  return allocations.load();
 }
 
 KeepMemory::KeepMemory() {
@@ -93,15 +100,15 @@ std::size_t measure_peak(const std::string& program, const Work& work) {
 
 int print_peak(const std::string& program, const Work& work) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const std::unique_ptr<Refiner> refiner = make_refiner(program, control_mesh(work.mesh));
-  refiner->prepare();
+  const std::unique_ptr<Subdivider> subdivider = make_subdivider(program, control_mesh(work.mesh));
+  subdivider->prepare();
   return_free_memory();
   reset_peak();
   const std::size_t before = status_bytes("VmRSS");
-  refiner->refine(work.levels);
+  subdivider->refine(work.levels);
   const std::size_t peak = status_bytes("VmHWM");
   if (before == 0 || peak <= before ||
-      refiner->counts() != uniform_counts(control_mesh(work.mesh), work.levels)) {
+      subdivider->counts() != uniform_counts(control_mesh(work.mesh), work.levels)) {
     return 1;
   }
   std::printf("%zu\n", peak - before);
@@ -110,11 +117,12 @@ int print_peak(const std::string& program, const Work& work) {
 
 }  // namespace limn::bench
 
-// Every block of the program and of the libraries linked into it goes through here, so that peers
-// can be given huge pages too. Blocks that ask for an alignment, as Limn's large ones do, do not.
+// Every block of the program and of the libraries linked into it goes through here, so that they
+// can be counted, and peers be given huge pages too.
 void* operator new(std::size_t bytes) {
   using limn::bench::kHugeFrom;
   using limn::bench::kHugePage;
+  limn::bench::allocations.fetch_add(1, std::memory_order_relaxed);
   void* memory = nullptr;
   if (limn::bench::huge_pages_for_all && bytes >= kHugeFrom) {
     memory = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
@@ -130,10 +138,28 @@ void* operator new(std::size_t bytes) {
   return memory;
 }
 
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  limn::bench::allocations.fetch_add(1, std::memory_order_relaxed);
+  const auto align = static_cast<std::size_t>(alignment);
+  void* memory = std::aligned_alloc(align, (bytes + align - 1) / align * align);
+  if (memory == nullptr) {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 
 void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }

@@ -15,6 +15,9 @@ void settle_allocator();
 /// Gives what is free back to the system: the next run takes its memory anew and pays for it.
 void return_free_memory();
 
+/// How often memory was asked for by `operator new` so far.
+[[nodiscard]] std::size_t allocation_count();
+
 /// While it lives, freed memory stays with the process and is taken again: the nearest a program
 /// without a way of its own comes to refining into memory it already has.
 class KeepMemory {

@@ -9,7 +9,7 @@
 #include "cases.h"
 #include "memory.h"
 #include "meshes.h"
-#include "peers/refiner.h"
+#include "peers/subdivider.h"
 
 namespace limn::bench {
 namespace {
@@ -32,7 +32,9 @@ struct Contender {
 
 const std::vector<Contender> kLimn = {
     {"limn", "limn"},
+    {"limn_retained", "limn", 1, Memory::kKeptByProgram},
     {"limn_2_threads", "limn", 2},
+    {"limn_retained_2_threads", "limn", 2, Memory::kKeptByProgram},
 };
 const std::vector<Contender> kLimnElsewise = {
     {"limn_small_pages", "limn", 1, Memory::kFresh, Pages::kSmall},
@@ -52,7 +54,7 @@ const std::vector<Contender> kOthers = {
 void refine_uniformly(benchmark::State& state, const Contender& contender, const Work& work) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     contender.threads);
-  Refiner& refiner = cached_refiner(contender.program, work.mesh);
+  Subdivider& program = cached_subdivider(contender.program, work.mesh);
   const Counts expected = uniform_counts(control_mesh(work.mesh), work.levels);
   return_free_memory();
   const PageScope pages(contender.pages);
@@ -60,20 +62,25 @@ void refine_uniformly(benchmark::State& state, const Contender& contender, const
   if (contender.memory == Memory::kKeptByAllocator) {
     keep.emplace();
   }
-  refiner.prepare();
+  program.prepare();
   if (contender.memory != Memory::kFresh) {
-    refiner.refine(work.levels);
-    refiner.recycle();
+    program.refine(work.levels);
+    program.recycle();
   }
-  time_run(state, [&] { refiner.refine(work.levels); });
-  if (refiner.counts() != expected) {
+  std::size_t allocations = 0;
+  time_run(state, [&] {
+    const std::size_t before = allocation_count();
+    program.refine(work.levels);
+    allocations = allocation_count() - before;
+  });
+  if (program.counts() != expected) {
     fail_run(state, "not the counts of uniform Catmull-Clark");
   }
   state.counters["faces"] = static_cast<double>(expected.faces);
   state.counters["vertices"] = static_cast<double>(expected.vertices);
-  state.counters["result_bytes"] = static_cast<double>(refiner.result_bytes());
-  state.counters["threads"] = static_cast<double>(contender.threads);
-  refiner.release();
+  state.counters["allocations"] = static_cast<double>(allocations);
+  state.counters["result_bytes"] = static_cast<double>(program.result_bytes());
+  program.release();
 }
 
 void add(const Work& work, const std::vector<Contender>& contenders, int repetitions) {

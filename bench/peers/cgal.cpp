@@ -7,7 +7,7 @@
 #include <CGAL/subdivision_method_3.h>
 
 #include "limn/contract.h"
-#include "peers/refiner.h"
+#include "peers/subdivider.h"
 
 namespace limn::bench {
 namespace {
@@ -15,9 +15,9 @@ namespace {
 using Point = CGAL::Simple_cartesian<float>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-class CgalRefiner final : public Refiner {
+class CgalSubdivider final : public Subdivider {
  public:
-  explicit CgalRefiner(const ControlMesh& mesh) {
+  explicit CgalSubdivider(const ControlMesh& mesh) {
     LIMN_EXPECTS(mesh.is_closed());
     for (const glm::vec3 p : mesh.positions()) {
       control_.add_vertex(Point(p.x, p.y, p.z));
@@ -58,8 +58,8 @@ class CgalRefiner final : public Refiner {
 
 }  // namespace
 
-std::unique_ptr<Refiner> make_cgal(const ControlMesh& mesh) {
-  return std::make_unique<CgalRefiner>(mesh);
+std::unique_ptr<Subdivider> make_cgal(const ControlMesh& mesh) {
+  return std::make_unique<CgalSubdivider>(mesh);
 }
 
 }  // namespace limn::bench

@@ -1,23 +1,26 @@
 #include "limn/contract.h"
 #include "limn/subdivision/label_subdivision.h"
-#include "peers/refiner.h"
+#include "peers/subdivider.h"
 
 namespace limn::bench {
 namespace {
 
-class LimnRefiner final : public Refiner {
+class LimnSubdivider final : public Subdivider {
  public:
-  explicit LimnRefiner(const ControlMesh& mesh) : mesh_(mesh) {}
+  explicit LimnSubdivider(const ControlMesh& mesh) : mesh_(mesh) {}
 
   void prepare() override {}
   void refine(int levels) override {
-    const VertexLabels labels(mesh_.vertex_count(), static_cast<std::uint8_t>(levels));
+    labels_.assign(mesh_.vertex_count(), static_cast<std::uint8_t>(levels));
     IgnoreProgress progress;
-    Result<RefinedMesh> refined = limn::refine(mesh_, labels, {}, {}, progress);
-    LIMN_EXPECTS(refined.has_value());
-    result_ = std::move(*refined);
+    LIMN_EXPECTS(refiner_.refine(mesh_, labels_, {}, {}, progress, result_).has_value());
   }
-  void release() override { result_ = {}; }
+  void release() override {
+    labels_ = {};
+    refiner_ = {};
+    result_ = {};
+  }
+  void recycle() override {}
 
   [[nodiscard]] Counts counts() const override {
     return {result_.vertex_count(), result_.face_count()};
@@ -33,13 +36,15 @@ class LimnRefiner final : public Refiner {
 
  private:
   const ControlMesh& mesh_;
+  VertexLabels labels_;
+  limn::Refiner refiner_;
   RefinedMesh result_;
 };
 
 }  // namespace
 
-std::unique_ptr<Refiner> make_limn(const ControlMesh& mesh) {
-  return std::make_unique<LimnRefiner>(mesh);
+std::unique_ptr<Subdivider> make_limn(const ControlMesh& mesh) {
+  return std::make_unique<LimnSubdivider>(mesh);
 }
 
 }  // namespace limn::bench

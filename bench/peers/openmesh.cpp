@@ -6,7 +6,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 
 #include "limn/contract.h"
-#include "peers/refiner.h"
+#include "peers/subdivider.h"
 
 namespace limn::bench {
 namespace {
@@ -20,9 +20,9 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
 
-class OpenMeshRefiner final : public Refiner {
+class OpenMeshSubdivider final : public Subdivider {
  public:
-  explicit OpenMeshRefiner(const ControlMesh& mesh) {
+  explicit OpenMeshSubdivider(const ControlMesh& mesh) {
     LIMN_EXPECTS(mesh.is_closed());
     for (const glm::vec3 p : mesh.positions()) {
       control_.add_vertex({p.x, p.y, p.z});
@@ -61,8 +61,8 @@ class OpenMeshRefiner final : public Refiner {
 
 }  // namespace
 
-std::unique_ptr<Refiner> make_openmesh(const ControlMesh& mesh) {
-  return std::make_unique<OpenMeshRefiner>(mesh);
+std::unique_ptr<Subdivider> make_openmesh(const ControlMesh& mesh) {
+  return std::make_unique<OpenMeshSubdivider>(mesh);
 }
 
 }  // namespace limn::bench

@@ -6,7 +6,7 @@
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include "limn/contract.h"
-#include "peers/refiner.h"
+#include "peers/subdivider.h"
 
 namespace limn::bench {
 namespace {
@@ -45,9 +45,9 @@ std::unique_ptr<Far::TopologyRefiner> base_level(const ControlMesh& mesh) {
   return refiner;
 }
 
-class OpenSubdivRefiner final : public Refiner {
+class OpenSubdivSubdivider final : public Subdivider {
  public:
-  explicit OpenSubdivRefiner(const ControlMesh& mesh) : base_(base_level(mesh)) {
+  explicit OpenSubdivSubdivider(const ControlMesh& mesh) : base_(base_level(mesh)) {
     control_.resize(mesh.vertex_count());
     for (std::size_t v = 0; v < control_.size(); ++v) {
       control_[v].value = mesh.positions()[v];
@@ -95,8 +95,8 @@ class OpenSubdivRefiner final : public Refiner {
 
 }  // namespace
 
-std::unique_ptr<Refiner> make_opensubdiv(const ControlMesh& mesh) {
-  return std::make_unique<OpenSubdivRefiner>(mesh);
+std::unique_ptr<Subdivider> make_opensubdiv(const ControlMesh& mesh) {
+  return std::make_unique<OpenSubdivSubdivider>(mesh);
 }
 
 }  // namespace limn::bench

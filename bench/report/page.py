@@ -111,7 +111,18 @@ def uniform(results):
 Topology and positions of all levels, in single precision, from the control mesh in each program's own form. The programs start without memory for the result, which they take from
 the system while the clock runs, unless it is said that they keep it.
 
-{table(head, rows, words=2)}"""
+{table(head, rows, words=2)}{allocations(results)}"""
+
+
+def allocations(results):
+    counts = {name: max((case.counters["allocations"] for case in results.group("uniform")
+                         if case.path[3] == name), default=None)
+              for name in ("limn_retained", "limn", "opensubdiv")}
+    if None in counts.values():
+        return ""
+    return f"""
+
+A refinement by Limn asks for memory {counts["limn"]:.0f} times at most, into a retained result {counts["limn_retained"]:.0f} times; by OpenSubdiv {counts["opensubdiv"]:.0f} times."""
 
 
 def memory(results):

@@ -17,9 +17,9 @@ namespace limn::bench {
 ///
 /// A run is `prepare`, `refine`, questions, `release`. Only `refine` is on the clock: topology and
 /// positions of every level, from a control mesh in the program's own form to the finest mesh.
-class Refiner {
+class Subdivider {
  public:
-  virtual ~Refiner() = default;
+  virtual ~Subdivider() = default;
 
   /// What is done once a control mesh, or lost by refining it in place: brings the control mesh
   /// into the form that `refine` starts from.
@@ -40,16 +40,16 @@ class Refiner {
   [[nodiscard]] virtual std::size_t result_bytes() const { return 0; }
 };
 
-[[nodiscard]] std::unique_ptr<Refiner> make_limn(const ControlMesh& mesh);
-[[nodiscard]] std::unique_ptr<Refiner> make_opensubdiv(const ControlMesh& mesh);
-[[nodiscard]] std::unique_ptr<Refiner> make_openmesh(const ControlMesh& mesh);
-[[nodiscard]] std::unique_ptr<Refiner> make_cgal(const ControlMesh& mesh);
+[[nodiscard]] std::unique_ptr<Subdivider> make_limn(const ControlMesh& mesh);
+[[nodiscard]] std::unique_ptr<Subdivider> make_opensubdiv(const ControlMesh& mesh);
+[[nodiscard]] std::unique_ptr<Subdivider> make_openmesh(const ControlMesh& mesh);
+[[nodiscard]] std::unique_ptr<Subdivider> make_cgal(const ControlMesh& mesh);
 
 /// One of the above, by the name that follows `make_`. Broken contract for any other.
-[[nodiscard]] std::unique_ptr<Refiner> make_refiner(std::string_view program,
-                                                    const ControlMesh& mesh);
+[[nodiscard]] std::unique_ptr<Subdivider> make_subdivider(std::string_view program,
+                                                          const ControlMesh& mesh);
 
 /// The same, made when first asked for and kept until the program ends.
-[[nodiscard]] Refiner& cached_refiner(const std::string& program, const std::string& mesh);
+[[nodiscard]] Subdivider& cached_subdivider(const std::string& program, const std::string& mesh);
 
 }  // namespace limn::bench
