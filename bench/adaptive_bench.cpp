@@ -18,31 +18,9 @@
 namespace limn::bench {
 namespace {
 
-constexpr const char* kMesh = "asteroid_246k";
-
-struct Painting {
-  Layout layout;
-  int percent;
-  int depth;
-};
-
-std::string name_of(const Painting& painting) {
-  return std::string(painting.layout == Layout::kPatches ? "patches" : "scattered") + "/" +
-         std::to_string(painting.percent) + "/" + std::to_string(painting.depth);
-}
-
-VertexLabels labels_of(const Painting& painting) {
-  const ControlMesh& mesh = control_mesh(kMesh);
-  IgnoreProgress progress;
-  const Result<Legalisation> legal = legal_labels(
-      mesh, paint(mesh, painting.layout, painting.percent / 100.0, painting.depth), {}, progress);
-  LIMN_EXPECTS(legal.has_value());
-  return legal->labels;
-}
-
 void refine_painting(benchmark::State& state, const VertexLabels& labels, bool into_retained) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const ControlMesh& mesh = control_mesh(kMesh);
+  const ControlMesh& mesh = control_mesh(kLargestMesh);
   return_free_memory();
   IgnoreProgress progress;
   Refiner refiner;
@@ -67,26 +45,16 @@ void refine_painting(benchmark::State& state, const VertexLabels& labels, bool i
 
 void register_adaptive(Extent extent) {
   const bool quick = extent == Extent::kQuick;
-  struct Paintings {
-    Layout layout;
-    int percent;
-    int deepest;  // The result stays at some millions of faces.
-  };
-  for (const auto& [layout, percent, deepest] : {Paintings{Layout::kPatches, 1, 5},
-                                                 {Layout::kPatches, 5, 4},
-                                                 {Layout::kPatches, 20, 3},
-                                                 {Layout::kScattered, 1, 5},
-                                                 {Layout::kScattered, 5, 3},
-                                                 {Layout::kScattered, 20, 2}}) {
-    for (int depth = quick ? deepest : 1; depth <= deepest; ++depth) {
-      const Painting painting{layout, percent, depth};
-      // The labels are found when the case first runs, and kept for its other runs.
+  for (Painting painting : deepest_paintings()) {
+    const int deepest = painting.depth;
+    for (painting.depth = quick ? deepest : 1; painting.depth <= deepest; ++painting.depth) {
+      // The labels are found when a case first needs them, and kept.
       const auto labels = std::make_shared<VertexLabels>();
       for (const bool into_retained : {false, true}) {
-        add_case("adaptive/" + name_of(painting) + (into_retained ? "/limn_retained" : "/limn"),
+        add_case("adaptive/" + path_of(painting) + (into_retained ? "/limn_retained" : "/limn"),
                  quick ? 3 : 5, [=](benchmark::State& state) {
                    if (labels->empty()) {
-                     *labels = labels_of(painting);
+                     *labels = legal_labels_of(control_mesh(kLargestMesh), painting);
                    }
                    refine_painting(state, *labels, into_retained);
                  });

@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <benchmark/benchmark.h>
 
@@ -21,8 +22,12 @@ enum class Extent { kAll, kQuick };
 void register_uniform(Extent extent, std::span<const Work> more);
 /// `agreement/MESH/LEVELS/PROGRAM`: that they compute the same.
 void register_agreement(Extent extent);
-/// `memory/MESH/LEVELS/PROGRAM`: peak memory.
+/// `memory/MESH/LEVELS/PROGRAM` and `memory/LAYOUT/PERCENT/DEPTH/limn`: peak memory.
 void register_memory(Extent extent);
+/// With this before a memory case's name the program measures that case alone, by `print_peak`,
+/// which is false where there is no such case.
+inline constexpr const char* kPeakOption = "--measure-peak=";
+bool print_peak(std::string_view name);
 /// `adaptive/LAYOUT/PERCENT/DEPTH/PROGRAM`: paintings of the largest asteroid.
 void register_adaptive(Extent extent);
 /// `bounds/KIND/THREADS`: how fast the machine copies and hands out memory.

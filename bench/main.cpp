@@ -1,7 +1,6 @@
 // limn_bench [--quick] [--mesh=FILE.obj:LEVELS...] [options of Google Benchmark]
 // Measures Limn and its peers in one program. scripts/bench.sh runs it and writes the report.
 #include <charconv>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -77,9 +76,8 @@ void register_all(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   settle_allocator();
-  constexpr int kPeakArguments = 5;
-  if (argc == kPeakArguments && std::string_view(argv[1]) == "--measure-peak") {
-    return print_peak(argv[2], {argv[3], std::atoi(argv[4])});
+  if (argc == 2 && std::string_view(argv[1]).starts_with(kPeakOption)) {
+    return print_peak(argv[1] + std::string_view(kPeakOption).size()) ? 0 : 2;
   }
 
   limn::Result<Arguments> arguments = read_arguments(argc, argv);

@@ -3,19 +3,13 @@
 #include <malloc.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <unistd.h>
 
 #include <atomic>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <memory>
 #include <new>
-
-#include <tbb/global_control.h>
-
-#include "peers/subdivider.h"
+#include <string>
 
 namespace limn::bench {
 namespace {
@@ -87,32 +81,13 @@ PageScope::~PageScope() {
   huge_pages_for_all = false;
 }
 
-std::size_t measure_peak(const std::string& program, const Work& work) {
-  const std::string command = "/proc/" + std::to_string(getpid()) + "/exe --measure-peak " +
-                              program + " " + work.mesh + " " + std::to_string(work.levels);
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  unsigned long long peak = 0;
-  if (pipe == nullptr || std::fscanf(pipe.get(), "%llu", &peak) != 1) {
-    return 0;
-  }
-  return static_cast<std::size_t>(peak);
-}
-
-int print_peak(const std::string& program, const Work& work) {
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const std::unique_ptr<Subdivider> subdivider = make_subdivider(program, control_mesh(work.mesh));
-  subdivider->prepare();
+std::size_t peak_of(const std::function<void()>& work) {
   return_free_memory();
   reset_peak();
   const std::size_t before = status_bytes("VmRSS");
-  subdivider->refine(work.levels);
+  work();
   const std::size_t peak = status_bytes("VmHWM");
-  if (before == 0 || peak <= before ||
-      subdivider->counts() != uniform_counts(control_mesh(work.mesh), work.levels)) {
-    return 1;
-  }
-  std::printf("%zu\n", peak - before);
-  return 0;
+  return before == 0 || peak <= before ? 0 : peak - before;
 }
 
 }  // namespace limn::bench

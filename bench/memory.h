@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-
-#include "meshes.h"
+#include <functional>
 
 namespace limn::bench {
 
@@ -48,11 +46,9 @@ class PageScope {
   Pages pages_;
 };
 
-/// Peak memory of one uniform refinement over what the process held before it, in bytes, as the
-/// kernel counts it (VmHWM). Measured in a process of its own. 0 where that fails.
-[[nodiscard]] std::size_t measure_peak(const std::string& program, const Work& work);
-
-/// The part of `measure_peak` in that process, which `main` hands over to: prints the peak.
-int print_peak(const std::string& program, const Work& work);
+/// Peak memory of `work` over what the process held before it, in bytes, as the kernel counts it
+/// (VmHWM). 0 where that cannot be told. Meant for a process of its own: memory that is free but
+/// not given back would not count.
+[[nodiscard]] std::size_t peak_of(const std::function<void()>& work);
 
 }  // namespace limn::bench

@@ -40,6 +40,9 @@ struct Work {
   int levels = 0;
 };
 
+/// The mesh that is painted.
+inline constexpr const char* kLargestMesh = "asteroid_246k";
+
 /// The asteroids, each to 3,932,160 faces.
 [[nodiscard]] const std::vector<Work>& large_works();
 

@@ -3,9 +3,12 @@
 #include "paintings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
+
+#include "limn/contract.h"
+#include "limn/subdivision/label_subdivision.h"
 
 namespace limn::bench {
 namespace {
@@ -43,16 +46,35 @@ std::vector<std::uint32_t> order_around_seeds(const ControlMesh& mesh) {
 
 }  // namespace
 
-std::vector<std::uint8_t> paint(const ControlMesh& mesh, Layout layout, double share, int depth) {
-  const std::vector<std::uint32_t> order =
-      layout == Layout::kPatches ? order_around_seeds(mesh) : random_order(mesh.face_count());
-  const auto painted =
-      static_cast<std::size_t>(std::lround(share * static_cast<double>(mesh.face_count())));
+std::string path_of(const Painting& painting) {
+  return std::string(painting.layout == Layout::kPatches ? "patches" : "scattered") + "/" +
+         std::to_string(painting.percent) + "/" + std::to_string(painting.depth);
+}
+
+std::vector<std::uint8_t> depths_of(const ControlMesh& mesh, const Painting& painting) {
+  const std::vector<std::uint32_t> order = painting.layout == Layout::kPatches
+                                               ? order_around_seeds(mesh)
+                                               : random_order(mesh.face_count());
+  const std::size_t painted = mesh.face_count() * static_cast<std::size_t>(painting.percent) / 100;
   std::vector<std::uint8_t> depths(mesh.face_count(), 0);
   for (std::size_t i = 0; i < std::min(painted, order.size()); ++i) {
-    depths[order[i]] = static_cast<std::uint8_t>(depth);
+    depths[order[i]] = static_cast<std::uint8_t>(painting.depth);
   }
   return depths;
+}
+
+VertexLabels legal_labels_of(const ControlMesh& mesh, const Painting& painting) {
+  IgnoreProgress progress;
+  Result<Legalisation> legal = legal_labels(mesh, depths_of(mesh, painting), {}, progress);
+  LIMN_EXPECTS(legal.has_value());
+  return std::move(legal->labels);
+}
+
+const std::vector<Painting>& deepest_paintings() {
+  static const std::vector<Painting> paintings = {
+      {Layout::kPatches, 1, 5},   {Layout::kPatches, 5, 4},   {Layout::kPatches, 20, 3},
+      {Layout::kScattered, 1, 5}, {Layout::kScattered, 5, 3}, {Layout::kScattered, 20, 2}};
+  return paintings;
 }
 
 }  // namespace limn::bench

@@ -126,10 +126,10 @@ A refinement by Limn asks for memory {counts["limn"]:.0f} times at most, into a 
 
 
 def memory(results):
-    programs = [name for name in PROGRAMS
-                if any(case.path[3] == name for case in results.group("memory"))]
+    measured = [case for case in results.group("memory") if case.path[1] not in LAYOUTS]
+    programs = [name for name in PROGRAMS if any(case.path[3] == name for case in measured)]
     rows = []
-    for mesh, levels in sorted({(case.path[1], case.path[2]) for case in results.group("memory")},
+    for mesh, levels in sorted({(case.path[1], case.path[2]) for case in measured},
                                key=lambda work: -int(work[1])):
         cases = [results.get("memory", mesh, levels, name) for name in programs]
         rows.append([f"`{mesh}`, {levels} levels"] +
@@ -152,19 +152,21 @@ def adaptive(results):
             reference = results.get("uniform", *PAINTED, case.path[4])
             if not reference:
                 continue
+            peak = results.get("memory", *case.path[1:])
             ratio = case.nanoseconds_per_face / reference.nanoseconds_per_face
             rows.append([f"{case.path[2]} % in {text}" if layout == "patches"
                          else f"{case.path[2]} % as {text}",
                          case.path[3], PROGRAMS[case.path[4]], millions(case.counters["faces"]),
-                         milliseconds(case), f"{case.nanoseconds_per_face:.1f}", f"{ratio:.2f}"])
+                         milliseconds(case), f"{case.nanoseconds_per_face:.1f}", f"{ratio:.2f}",
+                         f"{peak.peak_per_face:.0f}" if peak else ""])
     if not rows:
         return ""
     head = ["painted", "depth", "program", "M faces", "ms: median (least to most)", "ns a face",
-            "uniform = 1"]
+            "uniform = 1", "peak bytes a face"]
     return f"""## Paintings
 
-`{PAINTED[0]}` painted in part, from legal labels to the refined mesh, one thread. The last column is the time an output face beside that of uniform refinement of the same mesh by
-{PAINTED[1]} levels, under the same conditions: 1 says that the cost follows the output.
+`{PAINTED[0]}` painted in part, from legal labels to the refined mesh, one thread. The column *uniform = 1* is the time an output face beside that of uniform refinement of the same mesh by
+{PAINTED[1]} levels, under the same conditions: 1 says that the cost follows the output. Memory is measured where the painting is deepest.
 
 {table(head, rows)}"""
 
