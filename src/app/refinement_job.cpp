@@ -176,7 +176,7 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   result.control = request.control;
   result.labels = std::make_shared<const DerivedLabels>(std::move(*labels));
   const VertexLabels& legal = result.labels->legal.labels;
-  result.illegal_left = illegal_faces(control, legal).size();
+  result.illegal_left = illegal_faces(control, legal, request.settings.legalisation).size();
   result.prediction = predict_refinement(control, legal, request.levels);
   result.is_over_budget = request.levels > 0 && result.prediction.faces > request.face_budget;
   result.is_final = request.levels == 0 || result.is_over_budget;

@@ -43,8 +43,8 @@ Result<DerivedLabels> derive_labels(const ControlMesh& control,
   DerivedLabels derived;
   derived.painted =
       apply_non_quad_rule(control, vertex_labels(control, depths), settings.non_quads);
-  derived.illegal_faces = illegal_faces(control, derived.painted);
-  derived.illegal_vertices = illegal_vertices(control, derived.painted);
+  derived.illegal_faces = illegal_faces(control, derived.painted, settings.legalisation);
+  derived.illegal_vertices = illegal_vertices(control, derived.painted, settings.legalisation);
   Result<Legalisation> legal = legal_labels(control, depths, settings, progress);
   if (!legal) {
     return tl::unexpected(std::move(legal.error()));

@@ -177,6 +177,8 @@ Result<Legalisation> legal_labels(const ControlMesh& mesh, std::span<const std::
   switch (settings.legalisation) {
     case LegalisationMethod::kGreedy:
       return legalise_greedy(mesh, std::move(labels), settings.non_quads, progress);
+    case LegalisationMethod::kLookAhead:
+      return legalise_look_ahead(mesh, std::move(labels), settings.non_quads, progress);
   }
   LIMN_EXPECTS(!"a known legalisation method");
   return {};

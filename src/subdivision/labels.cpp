@@ -11,9 +11,14 @@
 namespace limn {
 namespace {
 
-bool is_illegal_quad(std::span<const std::uint32_t> corners, const VertexLabels& labels) {
-  return corners.size() == 4 &&
-         std::ranges::count_if(corners, [&](std::uint32_t v) { return labels[v] == 0; }) == 2;
+bool is_illegal_quad(std::span<const std::uint32_t> corners, const VertexLabels& labels,
+                     LegalisationMethod method) {
+  if (corners.size() != 4 ||
+      std::ranges::count_if(corners, [&](std::uint32_t v) { return labels[v] == 0; }) != 2) {
+    return false;
+  }
+  return method == LegalisationMethod::kGreedy ||
+         (labels[corners[0]] == 0) != (labels[corners[2]] == 0);
 }
 
 }  // namespace
@@ -90,20 +95,22 @@ VertexLabels apply_non_quad_rule(const ControlMesh& mesh, VertexLabels labels, N
   return labels;
 }
 
-std::vector<std::uint32_t> illegal_faces(const ControlMesh& mesh, const VertexLabels& labels) {
+std::vector<std::uint32_t> illegal_faces(const ControlMesh& mesh, const VertexLabels& labels,
+                                         LegalisationMethod method) {
   LIMN_EXPECTS(labels.size() == mesh.vertex_count());
   std::vector<std::uint32_t> faces;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    if (is_illegal_quad(corners_of(mesh.topology(), f), labels)) {
+    if (is_illegal_quad(corners_of(mesh.topology(), f), labels, method)) {
       faces.push_back(f);
     }
   }
   return faces;
 }
 
-std::vector<std::uint32_t> illegal_vertices(const ControlMesh& mesh, const VertexLabels& labels) {
+std::vector<std::uint32_t> illegal_vertices(const ControlMesh& mesh, const VertexLabels& labels,
+                                            LegalisationMethod method) {
   std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t f : illegal_faces(mesh, labels)) {
+  for (const std::uint32_t f : illegal_faces(mesh, labels, method)) {
     for (const std::uint32_t v : corners_of(mesh.topology(), f)) {
       if (labels[v] == 0) {
         vertices.push_back(v);

@@ -12,9 +12,12 @@
 
 #include "limn/contract.h"
 #include "limn/mesh/large_array.h"
+#include "subdivision/legalisation_greedy.h"
 #include "subdivision/legalisation_queue.h"
 #include "subdivision/legalisation_rings.h"
+#include "subdivision/legality_problem.h"
 #include "subdivision/non_quads.h"
+#include "subdivision/surroundings.h"
 
 namespace limn {
 namespace {
@@ -38,6 +41,8 @@ class Greedy {
   }
 
   [[nodiscard]] std::size_t illegal_count() const { return illegal_count_; }
+  /// By which the relabels so far make the refined mesh larger.
+  [[nodiscard]] std::uint64_t added() const { return added_; }
   [[nodiscard]] VertexLabels take_labels() { return std::move(labels_); }
 
   /// The vertex to relabel next, if any is illegal.
@@ -53,6 +58,9 @@ class Greedy {
     risen_.assign(1, v);
     if (!mesh_->is_all_quads()) {
       raise_non_quads(*mesh_, labels_, risen_);
+      for (const std::uint32_t w : risen_) {
+        add_polygons_of(w);
+      }
     }
     for (const std::uint32_t w : risen_) {
       raise(w);
@@ -111,6 +119,7 @@ class Greedy {
       if (zeros == 0) {
         return;
       }
+      added_ += added_faces(4 - zeros) - added_faces(3 - zeros);
       for (Vertex* const corner : corners) {
         add(corner->cost, (zeros == 3) - (zeros == 2));
         add(corner->illegal_quads, (zeros == 2) - (zeros == 1));
@@ -119,6 +128,17 @@ class Greedy {
       mark(diagonal, *corners[2]);
       mark(b, *corners[3]);
     });
+  }
+
+  /// Counts the faces other than quads that rise, each at its first corner.
+  void add_polygons_of(std::uint32_t v) {
+    const FlatTopology& topology = mesh_->topology();
+    for (const std::uint32_t corner : corners_around(topology, v)) {
+      const std::uint32_t f = topology.corner_faces[corner];
+      if (sides_of(topology, f) != 4 && corners_of(topology, f)[0] == v) {
+        added_ += sides_of(topology, f) - 1;
+      }
+    }
   }
 
   /// Brings valences and leaves up to date with the changed vertices, then queues them anew.
@@ -181,6 +201,7 @@ class Greedy {
   std::vector<std::uint32_t> risen_;
   CandidateQueue queue_;
   std::size_t illegal_count_ = 0;
+  std::uint64_t added_ = 0;
 };
 
 constexpr const char* kStage = "Removing illegal vertices";
@@ -190,13 +211,18 @@ tl::unexpected<Error> cancelled() {
 }
 
 template <class Count>
-Result<Legalisation> relabel_all(Greedy<Count> greedy, Progress& progress) {
+Result<std::optional<Legalisation>> relabel_all(Greedy<Count> greedy, std::uint64_t most_faces,
+                                                Progress& progress) {
   constexpr std::size_t kStepsBetweenReports = 4096;
   Legalisation result;
   double reached = 0.0;
   while (const std::optional<Candidate> best = greedy.best()) {
+    if (greedy.added() >= most_faces) {
+      return std::nullopt;
+    }
     greedy.relabel(best->vertex);
-    result.steps.push_back({best->vertex, best->rank.valence, best->rank.cost});
+    result.steps.push_back(
+        {.vertex = best->vertex, .valence = best->rank.valence, .cost = best->rank.cost});
     if (result.steps.size() % kStepsBetweenReports == 0) {
       const auto made = static_cast<double>(result.steps.size());
       reached = std::max(reached, made / (made + static_cast<double>(greedy.illegal_count())));
@@ -204,6 +230,9 @@ Result<Legalisation> relabel_all(Greedy<Count> greedy, Progress& progress) {
         return cancelled();
       }
     }
+  }
+  if (greedy.added() >= most_faces) {
+    return std::nullopt;
   }
   result.labels = greedy.take_labels();
   if (!progress.report(1.0, kStage)) {
@@ -214,17 +243,23 @@ Result<Legalisation> relabel_all(Greedy<Count> greedy, Progress& progress) {
 
 }  // namespace
 
-Result<Legalisation> legalise_greedy(const ControlMesh& mesh, VertexLabels labels, NonQuadRule,
-                                     Progress& progress) {
-  LIMN_EXPECTS(labels.size() == mesh.vertex_count());
+Result<std::optional<Legalisation>> greedy_below(const ControlMesh& mesh, VertexLabels labels,
+                                                 std::uint64_t most_faces, Progress& progress) {
   if (!progress.report(0.0, kStage)) {
     return cancelled();
   }
   const SpokeRings rings(mesh.topology());
   if (rings.most_spokes() <= std::numeric_limits<std::uint8_t>::max()) {
-    return relabel_all(Greedy<std::uint8_t>(mesh, rings, std::move(labels)), progress);
+    return relabel_all(Greedy<std::uint8_t>(mesh, rings, std::move(labels)), most_faces, progress);
   }
-  return relabel_all(Greedy<std::uint32_t>(mesh, rings, std::move(labels)), progress);
+  return relabel_all(Greedy<std::uint32_t>(mesh, rings, std::move(labels)), most_faces, progress);
+}
+
+Result<Legalisation> legalise_greedy(const ControlMesh& mesh, VertexLabels labels, NonQuadRule,
+                                     Progress& progress) {
+  LIMN_EXPECTS(labels.size() == mesh.vertex_count());
+  return greedy_below(mesh, std::move(labels), kAnyNumberOfFaces, progress)
+      .map([](std::optional<Legalisation> result) { return *std::move(result); });
 }
 
 }  // namespace limn

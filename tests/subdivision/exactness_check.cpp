@@ -216,7 +216,7 @@ Exactness UniformReference::compare_faulty(const VertexLabels& labels,
 
 std::string first_breach(const ControlMesh& mesh, const VertexLabels& labels,
                          const SubdivisionSettings& settings, int levels) {
-  if (!illegal_faces(mesh, labels).empty()) {
+  if (!illegal_faces(mesh, labels, settings.legalisation).empty()) {
     return "the labels are illegal";
   }
   const auto result = refined(mesh, labels, settings, levels);

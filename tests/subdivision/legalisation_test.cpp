@@ -66,7 +66,7 @@ Legalisation brute_force(const ControlMesh& mesh, VertexLabels labels, NonQuadRu
         *std::ranges::min_element(candidates, [&](std::uint32_t a, std::uint32_t b) {
           return std::tuple(valence(b), cost[a], a) < std::tuple(valence(a), cost[b], b);
         });
-    result.steps.push_back({best, valence(best), cost[best]});
+    result.steps.push_back({.vertex = best, .valence = valence(best), .cost = cost[best]});
     labels[best] = 1;
     if (rule == NonQuadRule::kWherePainted) {
       labels = apply_non_quad_rule(mesh, std::move(labels), rule);

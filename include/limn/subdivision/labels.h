@@ -39,12 +39,16 @@ enum class FacePattern : std::uint8_t {
 [[nodiscard]] VertexLabels apply_non_quad_rule(const ControlMesh& mesh, VertexLabels labels,
                                                NonQuadRule rule);
 
-/// The quads with exactly two labels 0 (in either arrangement): the paper's illegal faces.
-[[nodiscard]] std::vector<std::uint32_t> illegal_faces(const ControlMesh& mesh,
-                                                       const VertexLabels& labels);
+/// The quads that a method of legalisation leaves none of, ascending. kGreedy: those with exactly
+/// two labels 0 in either arrangement, the paper's illegal faces. kLookAhead: only those whose two
+/// labels 0 are neighbours; where they are opposite the quad splits.
+[[nodiscard]] std::vector<std::uint32_t> illegal_faces(
+    const ControlMesh& mesh, const VertexLabels& labels,
+    LegalisationMethod method = LegalisationMethod::kGreedy);
 
 /// The zero vertices of illegal faces, ascending.
-[[nodiscard]] std::vector<std::uint32_t> illegal_vertices(const ControlMesh& mesh,
-                                                          const VertexLabels& labels);
+[[nodiscard]] std::vector<std::uint32_t> illegal_vertices(
+    const ControlMesh& mesh, const VertexLabels& labels,
+    LegalisationMethod method = LegalisationMethod::kGreedy);
 
 }  // namespace limn

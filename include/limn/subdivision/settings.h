@@ -16,7 +16,8 @@ enum class NonQuadRule {
 
 /// How illegal vertices are removed.
 enum class LegalisationMethod {
-  kGreedy,  ///< The paper's order: highest valence, then lowest cost, then lowest index.
+  kGreedy,     ///< The paper's order: highest valence, then lowest cost, then lowest index.
+  kLookAhead,  ///< Fewer relabels and faces: a score that looks one relabel further, then resets.
 };
 
 /// Where the vertices of a refined mesh lie.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "limn/subdivision/legalisation.h"
+#include "subdivision/legality_problem.h"
+
+// Internal to this folder.
+namespace limn {
+
+/// Resets to 0 every vertex that `result.steps` raised, and every two that share a quad, whose
+/// quads all stay legal, until there is none; latest first. Adds the steps. No reset makes a
+/// refined mesh larger.
+///
+/// In time that is linear in the mesh for bounded valence; pairs are not sought from vertices of
+/// very many quads.
+void take_back_needless(const LegalityProblem& problem, Legalisation& result);
+
+}  // namespace limn
