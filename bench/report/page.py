@@ -77,10 +77,24 @@ def at_a_glance(results):
     return f"""## At a glance
 
 {thousands(results, MAIN[0])} quads refined uniformly {MAIN[1]} times, to {peer.counters["faces"]:,.0f}; one thread where nothing else is said.
+{summary(results)}
 
 {table(["", "million faces a second", "OpenSubdiv Far's rate"], rows)}
 
 ![Rates, memory and the cost of paintings](performance.svg)"""
+
+
+def summary(results):
+    """One sentence of ratios, for the README."""
+    peer, ours, again = (results.get("uniform", *MAIN, name)
+                         for name in ("opensubdiv", "limn", "limn_retained"))
+    peaks = [results.get("memory", *MAIN, name) for name in ("limn", "opensubdiv")]
+    if not (peer and ours and again and all(peaks)):
+        return ""
+    return (f"On one thread Limn refines a closed quad mesh uniformly "
+            f"{peer.seconds / ours.seconds:.1f} times as fast as OpenSubdiv Far, "
+            f"{peer.seconds / again.seconds:.0f} times where it refines again into a result it has, in "
+            f"{100 * peaks[0].peak_per_face / peaks[1].peak_per_face:.0f} % of the memory.")
 
 
 def thousands(results, mesh):
