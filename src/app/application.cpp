@@ -52,6 +52,7 @@ Application::Application(const Preferences& preferences, Project project)
                      [this](const std::string& text) { window_.set_clipboard(text); });
   session_.restore(preferences.display, preferences.keymap, preferences.brush_radius,
                    preferences.dihedral_threshold);
+  session_.set_crease_sharpness(preferences.crease_sharpness);
   session_.set_recent_files(preferences.recent_files);
   session_.set_face_budget(preferences.face_budget);
   session_.show(std::move(project));
@@ -209,6 +210,7 @@ Preferences Application::preferences() const {
   all.keymap = session_.keymap();
   all.brush_radius = session_.brush().radius;
   all.dihedral_threshold = session_.dihedral_threshold();
+  all.crease_sharpness = session_.crease_sharpness();
   all.face_budget = session_.refinement().face_budget();
   all.layout = gui_.layout();
   const double interface = scale().interface;

@@ -27,7 +27,11 @@ void LiveRefinement::follow(const Document& document, const Wish& wish) {
   if (wish.is_stroking && job_.status().is_busy) {
     return;
   }
-  if (control_ != document.control) {
+  // Other creases give another refinement of the same surface: the last one stays until it is
+  // there.
+  const bool is_same_surface =
+      control_ != nullptr && &control_->topology() == &document.control->topology();
+  if (!is_same_surface) {
     newest_.reset();
     set_refined(nullptr);
     ++labels_revision_;

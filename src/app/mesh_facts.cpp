@@ -7,16 +7,30 @@
 
 namespace limn::app {
 
+namespace {
+
+std::size_t count_over(const std::vector<double>& sorted, double threshold) {
+  const auto first = std::upper_bound(sorted.begin(), sorted.end(), threshold + kDihedralTolerance);
+  return static_cast<std::size_t>(sorted.end() - first);
+}
+
+}  // namespace
+
 void MeshFacts::update(const std::shared_ptr<const ControlMesh>& mesh, double dihedral_threshold) {
   if (mesh_ != mesh) {
+    const bool is_same_surface = mesh_ != nullptr && &mesh_->topology() == &mesh->topology();
     mesh_ = mesh;
     statistics_ = mesh_statistics(*mesh);
-    sorted_angles_ = face_dihedral_angles(*mesh);
-    std::sort(sorted_angles_.begin(), sorted_angles_.end());
+    creases_ = count_creases(*mesh);
+    if (!is_same_surface) {
+      sorted_angles_ = face_dihedral_angles(*mesh);
+      std::sort(sorted_angles_.begin(), sorted_angles_.end());
+      sorted_edge_angles_ = edge_dihedral_angles(*mesh);
+      std::sort(sorted_edge_angles_.begin(), sorted_edge_angles_.end());
+    }
   }
-  const auto first_over =
-      std::upper_bound(sorted_angles_.begin(), sorted_angles_.end(), dihedral_threshold);
-  dihedral_faces_ = static_cast<std::size_t>(sorted_angles_.end() - first_over);
+  dihedral_faces_ = count_over(sorted_angles_, dihedral_threshold);
+  dihedral_edges_ = count_over(sorted_edge_angles_, dihedral_threshold);
 }
 
 }  // namespace limn::app

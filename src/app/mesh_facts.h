@@ -6,6 +6,7 @@
 
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/statistics.h"
+#include "limn/painting/crease_palette.h"
 
 namespace limn::app {
 
@@ -18,12 +19,18 @@ class MeshFacts {
   [[nodiscard]] const MeshStatistics& statistics() const noexcept { return statistics_; }
   /// Faces with an edge over the threshold.
   [[nodiscard]] std::size_t dihedral_faces() const noexcept { return dihedral_faces_; }
+  /// Edges over the threshold.
+  [[nodiscard]] std::size_t dihedral_edges() const noexcept { return dihedral_edges_; }
+  [[nodiscard]] const CreaseCounts& creases() const noexcept { return creases_; }
 
  private:
   std::shared_ptr<const ControlMesh> mesh_;
   MeshStatistics statistics_;
-  std::vector<double> sorted_angles_;
+  std::vector<double> sorted_angles_;  ///< Of faces.
+  std::vector<double> sorted_edge_angles_;
   std::size_t dihedral_faces_ = 0;
+  std::size_t dihedral_edges_ = 0;
+  CreaseCounts creases_{};
 };
 
 }  // namespace limn::app

@@ -61,9 +61,11 @@ Preferences from_json(const Json& json) {
   display.read("wireframe", preferences.display.wireframe);
   display.read("smooth", preferences.display.smooth);
   display.read("light", preferences.display.light);
+  display.read("creases", preferences.display.creases);
 
   root.read("brush_radius", preferences.brush_radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
+  root.read("crease_sharpness", preferences.crease_sharpness, 0.0, 10.0);
   root.read("face_budget", preferences.face_budget);
   preferences.face_budget = std::max<std::uint64_t>(preferences.face_budget, 1000);
 
@@ -91,9 +93,13 @@ Json to_json(const Preferences& preferences) {
       {"theme", display.theme == ui::Theme::kLight ? "light" : "dark"},
       {"keymap", preferences.keymap == ui::KeymapId::kClassroom ? "classroom" : "original"},
       {"display",
-       {{"wireframe", display.wireframe}, {"smooth", display.smooth}, {"light", display.light}}},
+       {{"wireframe", display.wireframe},
+        {"smooth", display.smooth},
+        {"light", display.light},
+        {"creases", display.creases}}},
       {"brush_radius", preferences.brush_radius},
       {"dihedral_threshold", preferences.dihedral_threshold},
+      {"crease_sharpness", preferences.crease_sharpness},
       {"face_budget", preferences.face_budget},
       {"panel",
        {{"width", layout.panel_width},

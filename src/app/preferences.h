@@ -15,10 +15,12 @@ namespace limn::app {
 
 /// What a person has chosen once and finds again at the next start. Nothing of a document.
 struct Preferences {
-  ui::DisplaySettings display;  ///< Theme, wireframe, smooth, light; the rest starts as default.
+  ui::DisplaySettings
+      display;  ///< Theme, wireframe, smooth, light, creases; the rest starts as default.
   ui::KeymapId keymap = ui::KeymapId::kOriginal;
   double brush_radius = ui::BrushSettings{}.radius;
   double dihedral_threshold = 30.0;
+  double crease_sharpness = 2.0;
   std::uint64_t face_budget = LiveRefinement::kDefaultBudget;
   ui::PanelLayout layout;
   ui::WindowSize window{1280.0, 800.0};  ///< Design units: before the monitor's scale.

@@ -30,9 +30,9 @@ Session::~Session() = default;
 
 void Session::perform(const ui::Action& action) {
   const bool is_known = perform_answer(action) || perform_program(action) || perform_file(action) ||
-                        perform_edit(action) || perform_rule(action) || perform_brush(action) ||
-                        perform_subdivision(action) || perform_display(action) ||
-                        perform_camera(action);
+                        perform_edit(action) || perform_rule(action) || perform_creases(action) ||
+                        perform_brush(action) || perform_subdivision(action) ||
+                        perform_display(action) || perform_camera(action);
   LIMN_EXPECTS(is_known);
   facts_.update(document_.control, dihedral_threshold_);
 }
@@ -242,8 +242,11 @@ ui::Model Session::model() const {
       .keymap = keymap_,
       .view = camera_.view(),
       .depth_counts = document_.depths.histogram(),
+      .crease_counts = facts_.creases(),
       .dihedral_threshold = dihedral_threshold_,
       .dihedral_faces = facts_.dihedral_faces(),
+      .dihedral_edges = facts_.dihedral_edges(),
+      .crease_sharpness = crease_sharpness_,
       .refinement = refinement_.status(),
       .history = {history_.undo_name(), history_.redo_name(), history_.bytes()},
       .hover = hover,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/camera_motion.h"
@@ -17,6 +18,7 @@
 #include "limn/document/document.h"
 #include "limn/document/history.h"
 #include "limn/document/project_file.h"
+#include "limn/painting/crease_rule.h"
 #include "limn/painting/selection.h"
 #include "limn/painting/stroke.h"
 #include "ui/action.h"
@@ -71,6 +73,7 @@ class Session {
   [[nodiscard]] std::span<const ui::Toast> toasts() const noexcept { return toasts_.shown(); }
   [[nodiscard]] ui::KeymapId keymap() const noexcept { return keymap_; }
   [[nodiscard]] double dihedral_threshold() const noexcept { return dihedral_threshold_; }
+  [[nodiscard]] double crease_sharpness() const noexcept { return crease_sharpness_; }
   [[nodiscard]] const std::vector<std::string>& recent_files() const noexcept { return recent_; }
   /// Whether the viewport shows the refined mesh: it is asked for and there is one.
   [[nodiscard]] bool shows_refined() const noexcept;
@@ -80,6 +83,7 @@ class Session {
   /// Chosen in an earlier run.
   void restore(const ui::DisplaySettings& display, ui::KeymapId keymap, double brush_radius,
                double dihedral_threshold);
+  void set_crease_sharpness(double sharpness) noexcept { crease_sharpness_ = sharpness; }
   void set_recent_files(std::vector<std::string> files) { recent_ = std::move(files); }
   void set_face_budget(std::uint64_t faces) noexcept { refinement_.set_face_budget(faces); }
 
@@ -112,6 +116,7 @@ class Session {
   bool perform_answer(const ui::Action& action);
   bool perform_file(const ui::Action& action);  // session_files.cpp, as what follows it
   bool perform_rule(const ui::Action& action);  // session_painting.cpp
+  bool perform_creases(const ui::Action& action);
   bool perform_brush(const ui::Action& action);
   bool perform_subdivision(const ui::Action& action);
   bool perform_display(const ui::Action& action);  // session_view.cpp
@@ -133,6 +138,7 @@ class Session {
   void ask_for_path(ui::PathPrompt::Purpose purpose);
 
   void paint(const Selection& selection, DepthChange change, const std::string& what);
+  void crease(const CreaseRule& rule, std::string_view nothing);
   void set_stage(Stage stage, std::string name);
   void change_settings(const SubdivisionSettings& settings);
   void apply_refined();
@@ -152,6 +158,7 @@ class Session {
   ui::BrushSettings brush_;
   ui::KeymapId keymap_ = ui::KeymapId::kOriginal;
   double dihedral_threshold_ = 30.0;
+  double crease_sharpness_ = 2.0;
 
   CameraMotion camera_;
   double aspect_ = 1.6;

@@ -71,6 +71,36 @@ void Session::paint(const Selection& selection, DepthChange change, const std::s
   execute(paint_command(std::move(edits), fmt::format("{} ({})", what, count)));
 }
 
+bool Session::perform_creases(const ui::Action& action) {
+  switch (action.id) {
+    case kSetCreaseSharpness:
+      crease_sharpness_ =
+          std::clamp(std::get<double>(action.value), 0.0, double{kInfiniteSharpness});
+      return true;
+    case kCreaseDihedral:
+      crease(SharpenEdges{SelectEdgesOverAngle{dihedral_threshold_}, SharpenEdges::Kind::kSet,
+                          static_cast<float>(crease_sharpness_)},
+             facts_.dihedral_edges() == 0 ? "No edge is bent by more than the threshold."
+                                          : "No edge changes: all of these are as sharp already.");
+      return true;
+    case kClearCreases:
+      crease(ClearCreases{}, "Nothing is sharp: there is nothing to clear.");
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// `nothing` is what to say where the rule changes nothing.
+void Session::crease(const CreaseRule& rule, std::string_view nothing) {
+  end_stroke();
+  if (apply_crease_rule(*document_.control, rule) == document_.control->creases()) {
+    toast(Kind::kNote, std::string(nothing));
+    return;
+  }
+  execute(crease_command(document_, rule));
+}
+
 bool Session::perform_brush(const ui::Action& action) {
   switch (action.id) {
     case kToolPaint:

@@ -46,6 +46,9 @@ bool Session::perform_display(const ui::Action& action) {
     case kToggleIllegalMarks:
       set_or_flip(display_.illegal_marks, action);
       return true;
+    case kToggleCreases:
+      set_or_flip(display_.creases, action);
+      return true;
     case kThemeDark:
       display_.theme = ui::Theme::kDark;
       return true;

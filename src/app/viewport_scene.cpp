@@ -41,12 +41,17 @@ std::vector<render::Marker> illegal_markers(const ControlMesh& mesh,
 Result<void> ViewportScene::sync(const Session& session) {
   const Document& document = session.document();
   const LiveRefinement& refinement = session.refinement();
+  const bool is_same_surface =
+      control_mesh_ != nullptr && &control_mesh_->topology() == &document.control->topology();
   if (control_mesh_ != document.control) {
+    control_creases_.upload(render::crease_lines(*document.control));
+    ++content_;
+  }
+  if (!is_same_surface) {
     auto uploaded = control_.upload(render::make_surface(*document.control), ++control_revision_);
     if (!uploaded) {
       return uploaded;
     }
-    control_mesh_ = document.control;
     paint_.reset(document.depths.values());
     depths_revision_ = document.revisions.depths;
     label_key_.reset();
@@ -56,6 +61,7 @@ Result<void> ViewportScene::sync(const Session& session) {
     depths_revision_ = document.revisions.depths;
     ++content_;
   }
+  control_mesh_ = document.control;
   if (refined_revision_ != refinement.refined_revision()) {
     const JobResult* result = refinement.refined();
     has_refined_ = false;
@@ -66,6 +72,7 @@ Result<void> ViewportScene::sync(const Session& session) {
       if (!uploaded) {
         return uploaded;
       }
+      refined_creases_.upload(render::crease_lines(*result->refinement->mesh, refined_.origin()));
       has_refined_ = true;
     }
   }
@@ -144,6 +151,10 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
   scene.surface = shows_refined ? &refined_ : &control_;
   scene.paint = &paint_;
   scene.cage = shows_refined && session.display().show == ui::ShowMode::kBoth ? &control_ : nullptr;
+  if (session.display().creases) {
+    scene.creases = shows_refined ? &refined_creases_ : &control_creases_;
+    scene.cage_creases = scene.cage != nullptr ? &control_creases_ : nullptr;
+  }
   scene.markers = markers_.count() > 0 ? &markers_ : nullptr;
   if (look.ring) {
     scene.ring = render::OverlayRing{{look.ring->centre.x, look.ring->centre.y},

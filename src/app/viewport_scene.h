@@ -13,6 +13,7 @@
 #include "render/mesh_renderer.h"
 #include "render/picking/face_picker.h"
 #include "render/render_target.h"
+#include "render/surface/crease_lines.h"
 #include "render/surface/face_paint.h"
 #include "render/surface/markers.h"
 #include "render/surface/surface_buffers.h"
@@ -77,6 +78,8 @@ class ViewportScene {
 
   render::SurfaceBuffers control_;
   render::SurfaceBuffers refined_;
+  render::CreaseBuffers control_creases_;
+  render::CreaseBuffers refined_creases_;
   render::FacePaint paint_;
   render::MarkerBuffers markers_;
   render::MeshRenderer renderer_;

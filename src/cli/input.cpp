@@ -14,6 +14,7 @@
 #include <CLI/Validators.hpp>
 
 #include "cli/console.h"
+#include "limn/document/commands.h"
 #include "limn/document/open.h"
 #include "limn/mesh/import.h"
 
@@ -81,6 +82,24 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
       ->type_name("RULE")
       ->expected(1)
       ->take_all();
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--crease",
+          [&options](const std::vector<std::string>& arguments) {
+            for (const std::string& argument : arguments) {
+              Result<CreaseRule> rule = parse_crease_rule(argument);
+              if (!rule) {
+                throw CLI::ValidationError("--crease", to_string(rule.error()));
+              }
+              options.creases.push_back(*std::move(rule));
+            }
+          },
+          "Edges to keep sharp, SELECTION:CHANGE, any number of times, applied in order. SELECTION "
+          "is all, creased or angle>DEGREES (between the two faces); CHANGE is =S, +S or -S, S "
+          "levels up to 10 or inf. clear makes everything smooth")
+      ->type_name("RULE")
+      ->expected(1)
+      ->take_all();
   add_choice<LegalisationMethod>(command, "--legalize", options.legalisation,
                                  {{"greedy", LegalisationMethod::kGreedy}},
                                  "How illegal vertices are removed: greedy (the paper's order)");
@@ -131,6 +150,9 @@ Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFa
   document.settings.non_quads = options.non_quads.value_or(document.settings.non_quads);
   document.settings.corners = options.corners.value_or(document.settings.corners);
 
+  for (const CreaseRule& rule : options.creases) {
+    crease_command(document, rule)->apply(document);
+  }
   VisibleFaces visible;
   for (const PaintRule& rule : options.rules) {
     if (std::holds_alternative<SelectVisible>(rule.selection) && !visible) {

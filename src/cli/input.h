@@ -10,6 +10,7 @@
 #include "limn/document/project_file.h"
 #include "limn/document/refinement.h"
 #include "limn/error.h"
+#include "limn/painting/crease_rule.h"
 #include "limn/painting/paint_rule.h"
 #include "limn/painting/selection.h"
 
@@ -23,7 +24,8 @@ namespace limn::cli {
 /// the defaults for a mesh file.
 struct PaintingOptions {
   std::string input;
-  std::vector<PaintRule> rules;  ///< In the order given.
+  std::vector<PaintRule> rules;     ///< In the order given.
+  std::vector<CreaseRule> creases;  ///< In the order given.
   std::optional<LegalisationMethod> legalisation;
   std::optional<NonQuadRule> non_quads;
   std::optional<CornerRule> corners;
@@ -35,7 +37,8 @@ struct PaintingOptions {
 /// Adds the positional IN.
 void add_input_option(CLI::App& command, std::string& input);
 
-/// Adds IN, --paint, --legalize, --non-quads, --corners, --levels, --budget and --threads.
+/// Adds IN, --paint, --crease, --legalize, --non-quads, --corners, --levels, --budget and
+/// --threads.
 void add_painting_options(CLI::App& command, PaintingOptions& options);
 
 /// Opens IN: `-` is OBJ text on standard input, else see open_document. Prints what was mended.

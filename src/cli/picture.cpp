@@ -6,6 +6,7 @@
 
 #include "app/fonts.h"
 #include "app/imgui_renderer.h"
+#include "limn/painting/crease_palette.h"
 #include "render/context/gl_context.h"
 #include "render/mesh_renderer.h"
 #include "render/render_target.h"
@@ -17,12 +18,13 @@ namespace {
 using Show = PictureSettings::Show;
 
 /// The legend's box, at the same size whatever the picture's, drawn over what the target holds.
-void draw_legend_over(const FaceDepths& depths, const PictureSettings& settings,
+void draw_legend_over(const Document& document, const PictureSettings& settings,
                       render::FramebufferSize size) {
   const double scale = settings.draw.scale;
   ui::Gui gui(app::load_fonts(), {1.0, scale});
   gui.frame_legend(
-      depths.histogram(),
+      {document.depths.histogram(),
+       settings.has_creases ? count_creases(*document.control) : CreaseCounts{}},
       settings.draw.theme == render::Theme::kDark ? ui::Theme::kDark : ui::Theme::kLight,
       {size.width / scale, size.height / scale});
   app::ImguiRenderer renderer;
@@ -72,10 +74,22 @@ Result<render::Image> draw_document(const Document& document, const Derived& der
     markers.upload(dots, 1);
   }
 
+  render::CreaseBuffers control_creases;
+  render::CreaseBuffers refined_creases;
+  if (settings.has_creases) {
+    control_creases.upload(render::crease_lines(control));
+    if (draws_refined) {
+      refined_creases.upload(
+          render::crease_lines(*derived.refinement->mesh, control_surface.origin));
+    }
+  }
+
   render::Scene scene;
   scene.surface = draws_refined ? &refined_buffers : &control_buffers;
   scene.paint = &paint;
   scene.cage = settings.show == Show::kBoth ? &control_buffers : nullptr;
+  scene.creases = draws_refined ? &refined_creases : &control_creases;
+  scene.cage_creases = scene.cage != nullptr ? &control_creases : nullptr;
   scene.markers = &markers;
   render::DrawSettings draw = settings.draw;
   draw.shows_illegal_faces = settings.has_illegal;
@@ -91,7 +105,7 @@ Result<render::Image> draw_document(const Document& document, const Derived& der
   renderer.draw(target, camera, scene, draw);
   if (settings.has_legend) {
     target.bind();
-    draw_legend_over(document.depths, settings, camera.size);
+    draw_legend_over(document, settings, camera.size);
   }
   return target.read();
 }

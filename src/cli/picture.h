@@ -16,6 +16,7 @@ struct PictureSettings {
   render::DrawSettings draw;
   bool has_labels = false;   ///< Vertex labels as numbered dots.
   bool has_illegal = false;  ///< Illegal faces hatched, their vertices as dots.
+  bool has_creases = true;   ///< Sharp edges and vertices, coloured by sharpness.
   bool has_legend = false;
 };
 

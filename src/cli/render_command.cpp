@@ -97,7 +97,12 @@ void add_render_command(CLI::App& program, Work& work) {
   command->add_flag("--labels", picture.has_labels, "Vertex labels as numbered dots");
   command->add_flag("--illegal", picture.has_illegal,
                     "Illegal faces hatched and illegal vertices as dots, as painted");
-  command->add_flag("--legend", picture.has_legend, "The colours of the depths and their counts");
+  command
+      ->add_flag("--creases,!--no-creases", picture.has_creases,
+                 "Sharp edges and vertices, coloured by sharpness, or not")
+      ->default_str("on");
+  command->add_flag("--legend", picture.has_legend,
+                    "The colours of the depths, and of creases where there are any, with counts");
   command->add_flag_callback(
       "--light-theme", [&picture] { picture.draw.theme = render::Theme::kLight; },
       "Light background instead of dark");

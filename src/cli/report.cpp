@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/painting/crease_palette.h"
+
 namespace limn::cli {
 namespace {
 
@@ -87,6 +89,37 @@ RefinementPrediction result_counts(const Document& document, const Derived& deri
   return counts;
 }
 
+std::string amount_of(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
+}
+
+/// "12 edges (8 up to 2, 4 infinite), 1 vertex".
+std::string creases_text(const ControlMesh& mesh, const MeshStatistics& counts) {
+  if (counts.crease_edges + counts.sharp_vertices == 0) {
+    return "none";
+  }
+  std::string bands;
+  const CreaseCounts by_band = count_creases(mesh);
+  for (std::size_t band = 0; band < by_band.size(); ++band) {
+    if (by_band[band] > 0) {
+      fmt::format_to(std::back_inserter(bands), "{}{} {}", bands.empty() ? " (" : ", ",
+                     grouped(by_band[band]), sharpness_band_name(band));
+    }
+  }
+  return fmt::format("{}{}{}, {}{}", amount_of(counts.crease_edges, "edge", "edges"), bands,
+                     bands.empty() ? "" : ")",
+                     amount_of(counts.sharp_vertices, "vertex", "vertices"),
+                     mesh.creases().method == CreasingMethod::kChaikin ? ", Chaikin" : "");
+}
+
+std::string texture_text(const MeshStatistics& counts) {
+  if (counts.uv_points == 0) {
+    return "none";
+  }
+  return fmt::format("{}, {}", amount_of(counts.uv_points, "point", "points"),
+                     amount_of(counts.uv_seams, "seam edge", "seam edges"));
+}
+
 }  // namespace
 
 Json control_report(const Document& document) {
@@ -108,12 +141,21 @@ Json control_report(const Document& document) {
       {"components", counts.components},
       {"euler_characteristic", counts.euler_characteristic},
       {"highest_valence", counts.highest_valence},
+      {"crease_edges", counts.crease_edges},
+      {"sharp_vertices", counts.sharp_vertices},
+      {"uv_points", counts.uv_points},
+      {"uv_seams", counts.uv_seams},
       {"bounds", {{"low", point(bounds.low)}, {"high", point(bounds.high)}}},
       {"mended",
        {{"flipped_faces", mended.flipped_faces},
         {"split_vertices", mended.split_vertices},
         {"isolated_vertices", mended.isolated_vertices},
-        {"repeated_corners", mended.repeated_corners}}},
+        {"repeated_corners", mended.repeated_corners},
+        {"lost_creases", mended.lost_creases},
+        {"lost_corners", mended.lost_corners},
+        {"negative_sharpness", mended.negative_sharpness},
+        {"filled_uvs", mended.filled_uvs},
+        {"broken_uvs", mended.broken_uvs}}},
       {"unused_data", mended.unused_data},
   };
 }
@@ -175,6 +217,8 @@ std::string control_text(const Document& document) {
   table.count("components", counts.components);
   table.row("Euler characteristic", std::to_string(counts.euler_characteristic));
   table.count("highest valence", counts.highest_valence);
+  table.row("creases", creases_text(*document.control, counts));
+  table.row("texture", texture_text(counts));
   table.row("size", fmt::format("{:.6g} x {:.6g} x {:.6g}", size.x, size.y, size.z));
   table.row("painted", painted_text(document.depths));
   return table.take();

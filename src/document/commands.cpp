@@ -2,7 +2,11 @@
 // two, so that apply and revert are the same move and redo cannot differ from the first time.
 #include "limn/document/commands.h"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
+
+#include <fmt/format.h>
 
 #include "mesh_bytes.h"
 
@@ -197,6 +201,22 @@ std::unique_ptr<Command> attributes_command(std::shared_ptr<const ControlMesh> c
                                             std::string name) {
   LIMN_EXPECTS(control != nullptr);
   return std::make_unique<AttributesCommand>(std::move(control), std::move(name));
+}
+
+std::unique_ptr<Command> crease_command(const Document& document, const CreaseRule& rule) {
+  MeshAttributes attributes = document.control->attributes();
+  attributes.creases = apply_crease_rule(*document.control, rule);
+  std::string name = "clear creases";
+  if (std::holds_alternative<SharpenEdges>(rule)) {
+    const auto sharp = std::ranges::count_if(attributes.creases.edge_sharpness,
+                                             [](float sharpness) { return sharpness > 0.0f; });
+    name = fmt::format("crease edges ({} sharp)", sharp);
+  }
+  const bool is_same = attributes.creases == document.control->creases();
+  return attributes_command(is_same ? document.control
+                                    : std::make_shared<const ControlMesh>(
+                                          document.control->with_attributes(std::move(attributes))),
+                            std::move(name));
 }
 
 std::unique_ptr<Command> replace_control_command(std::shared_ptr<const ControlMesh> control,

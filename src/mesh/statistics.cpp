@@ -68,6 +68,30 @@ std::size_t count_boundary_loops(const HalfedgeMesh& mesh) {
   return loops;
 }
 
+std::size_t count_sharp(const std::vector<float>& sharpness) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(sharpness, [](float s) { return s > 0.0f; }));
+}
+
+std::size_t count_seams(const ControlMesh& mesh) {
+  if (mesh.texture().empty()) {
+    return 0;
+  }
+  const FlatTopology& topology = mesh.topology();
+  const std::vector<std::uint32_t>& points = mesh.texture().corner_values;
+  const auto next = [&](std::uint32_t corner) {
+    const std::uint32_t f = topology.corner_faces[corner];
+    return corner + 1 < topology.face_offsets[f + 1] ? corner + 1 : topology.face_offsets[f];
+  };
+  std::size_t seams = 0;
+  for (const auto [corner, twin] : topology.edge_corners) {
+    const bool is_seam = twin != kNone && (points[corner] != points[next(twin)] ||
+                                           points[next(corner)] != points[twin]);
+    seams += is_seam ? 1 : 0;
+  }
+  return seams;
+}
+
 }  // namespace
 
 MeshStatistics mesh_statistics(const ControlMesh& mesh) {
@@ -84,6 +108,10 @@ MeshStatistics mesh_statistics(const ControlMesh& mesh) {
   for (const auto& corners : topology.edge_corners) {
     result.boundary_edges += corners[1] == kNone ? 1 : 0;
   }
+  result.crease_edges = count_sharp(mesh.creases().edge_sharpness);
+  result.sharp_vertices = count_sharp(mesh.creases().vertex_sharpness);
+  result.uv_points = mesh.texture().empty() ? 0 : mesh.texture().values.size();
+  result.uv_seams = count_seams(mesh);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     // Edges at a vertex: one more than faces where the fan is open. Its first corner's edge is
     // then a boundary.

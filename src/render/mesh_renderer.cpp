@@ -1,5 +1,6 @@
-// Order: background, surface (with depth), cage hidden then visible, markers, then what lies flat
-// on the screen. Everything after the surface is blended and leaves the depth buffer as it is.
+// Order: background, surface (with depth), cage hidden then visible, creases, markers, then what
+// lies flat on the screen. Everything after the surface is blended and leaves the depth buffer as
+// it is.
 #include "render/mesh_renderer.h"
 
 #include <array>
@@ -64,6 +65,7 @@ MeshRenderer::MeshRenderer()
       background_program_(load_program("fullscreen.vert.glsl", "background.frag.glsl")),
       surface_program_(load_program("surface.vert.glsl", "surface.frag.glsl")),
       edges_program_(load_program("edges.vert.glsl", "edges.frag.glsl")),
+      creases_program_(load_program("creases.vert.glsl", "creases.frag.glsl")),
       markers_program_(load_program("markers.vert.glsl", "markers.frag.glsl")),
       overlay_program_(load_program("overlay.vert.glsl", "overlay.frag.glsl")),
       ring_program_(load_program("ring.vert.glsl", "ring.frag.glsl")) {}
@@ -99,6 +101,7 @@ void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const 
   if (scene.cage != nullptr) {
     draw_cage(*scene.cage, settings);
   }
+  draw_creases(scene);
   if (scene.markers != nullptr) {
     draw_markers(*scene.markers);
   }
@@ -133,6 +136,18 @@ void MeshRenderer::draw_cage(const SurfaceBuffers& cage, const DrawSettings& set
   edges_program_.set(1, kVisibleCageStrength);
   cage.draw_edges();
   glDepthFunc(GL_LESS);
+}
+
+void MeshRenderer::draw_creases(const Scene& scene) const {
+  creases_program_.use();
+  for (const int is_casing : {1, 0}) {
+    creases_program_.set(0, is_casing);
+    for (const CreaseBuffers* creases : {scene.creases, scene.cage_creases}) {
+      if (creases != nullptr) {
+        creases->draw();
+      }
+    }
+  }
 }
 
 void MeshRenderer::draw_markers(const MarkerBuffers& markers) const {

@@ -11,6 +11,7 @@
 #include "render/gl/shader_program.h"
 #include "render/gl/vertex_array.h"
 #include "render/render_target.h"
+#include "render/surface/crease_lines.h"
 #include "render/surface/face_paint.h"
 #include "render/surface/markers.h"
 #include "render/surface/surface_buffers.h"
@@ -38,6 +39,8 @@ struct Scene {
   const SurfaceBuffers* surface = nullptr;  ///< Nothing: the background alone.
   const FacePaint* paint = nullptr;         ///< Needed where there is a surface.
   const SurfaceBuffers* cage = nullptr;     ///< A control surface whose edges lie over `surface`.
+  const CreaseBuffers* creases = nullptr;   ///< Of `surface`.
+  const CreaseBuffers* cage_creases = nullptr;  ///< Of `cage`.
   const MarkerBuffers* markers = nullptr;
   std::optional<OverlayRing> ring;
   std::span<const OverlaySegment> segments;
@@ -58,6 +61,7 @@ class MeshRenderer {
   void draw_background(const DrawSettings& settings) const;
   void draw_surface(const Scene& scene) const;
   void draw_cage(const SurfaceBuffers& cage, const DrawSettings& settings) const;
+  void draw_creases(const Scene& scene) const;
   void draw_markers(const MarkerBuffers& markers) const;
   void draw_overlay(const Scene& scene);
 
@@ -68,6 +72,7 @@ class MeshRenderer {
   gl::ShaderProgram background_program_;
   gl::ShaderProgram surface_program_;
   gl::ShaderProgram edges_program_;
+  gl::ShaderProgram creases_program_;
   gl::ShaderProgram markers_program_;
   gl::ShaderProgram overlay_program_;
   gl::ShaderProgram ring_program_;

@@ -20,7 +20,7 @@ constexpr double kClosest = 1e-4;  ///< Of the scene's diagonal.
 constexpr double kFarthest = 100.0;
 constexpr double kFrameMargin = 1.08;
 constexpr double kOutsideSphere = 0.51;  ///< Of a diagonal: just outside the sphere around a box.
-constexpr double kSmallestDistance = 1e-12;
+constexpr double kClosestDistance = 1e-12;
 
 /// The angle as one in -180..180.
 double wrapped(double degrees) {
@@ -71,7 +71,7 @@ ViewState dolly(const ViewState& view, double factor, const glm::dvec3& anchor,
                 const Bounds& scene) {
   LIMN_EXPECTS(factor > 0.0);
   const double size = glm::length(scene.high - scene.low);
-  const double before = std::max(view.distance, kSmallestDistance);
+  const double before = std::max(view.distance, kClosestDistance);
   double distance = before * factor;
   if (size > 0.0) {
     // A view that is already beyond the limits may come back but not go farther.

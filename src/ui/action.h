@@ -36,6 +36,9 @@ enum class ActionId : std::uint8_t {
   kRaiseVisible,
   kRaiseDihedral,         ///< +1 on faces with an edge over the threshold.
   kSetDihedralThreshold,  ///< double, degrees, 0..180.
+  kCreaseDihedral,        ///< Edges over the threshold get the crease sharpness.
+  kSetCreaseSharpness,    ///< double, 0..kInfiniteSharpness.
+  kClearCreases,          ///< Every edge and vertex smooth.
 
   // Tools: what a plain left drag in the viewport does
   kToolPaint,
@@ -72,6 +75,7 @@ enum class ActionId : std::uint8_t {
   kToggleLight,
   kToggleLabels,
   kToggleIllegalMarks,
+  kToggleCreases,
   kThemeDark,
   kThemeLight,
 

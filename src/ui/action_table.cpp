@@ -39,6 +39,14 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Every face with an edge bent by more than the threshold gets one level more."},
     {kSetDihedralThreshold, kPaint, ValueKind::kDouble, "Sharpness threshold",
      "The angle in degrees between two neighbouring faces above which their edge counts as sharp."},
+    {kCreaseDihedral, kPaint, kNothing, "Crease sharp edges",
+     "Edges bent by more than the threshold stay sharp for so many levels of subdivision. The "
+     "creases that are there stay."},
+    {kSetCreaseSharpness, kPaint, ValueKind::kDouble, "Crease sharpness",
+     "For how many levels creased edges stay sharp before they are smoothed; a fraction blends. At "
+     "10 they never wear off; 0 makes them smooth."},
+    {kClearCreases, kPaint, kNothing, "Clear creases",
+     "Make every edge and every corner of the control mesh smooth."},
 
     {kToolPaint, kPaint, kNothing, "Paint tool",
      "Left drag paints the faces under the ring. Shift or Ctrl lowers them instead."},
@@ -102,6 +110,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kToggleIllegalMarks, kDisplay, ValueKind::kToggle, "Illegal faces",
      "Hatch the quads that could not be split without a crack (exactly two of their labels are 0) "
      "and dot those vertices."},
+    {kToggleCreases, kDisplay, ValueKind::kToggle, "Creases",
+     "Draw sharp edges as lines and sharp vertices as dots, the lighter and wider the sharper. On "
+     "the refined mesh what is still sharp is drawn."},
     {kThemeDark, kDisplay, kNothing, "Dark theme", "Light text on a dark ground."},
     {kThemeLight, kDisplay, kNothing, "Light theme", "Dark text on a light ground."},
 

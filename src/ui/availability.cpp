@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "limn/document/document.h"
+#include "limn/mesh/statistics.h"
 
 namespace limn::ui {
 
@@ -30,6 +31,8 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kExportRefined:
     case ActionId::kApply:
       return model.refinement.result.has_value() && !model.refinement.running;
+    case ActionId::kClearCreases:
+      return model.statistics.crease_edges + model.statistics.sharp_vertices > 0;
     case ActionId::kPickDepth:
     case ActionId::kFrameHovered:
       return model.hover.has_value();
@@ -86,6 +89,8 @@ bool is_checked(const Model& model, const Action& action) {
       return display.labels;
     case ActionId::kToggleIllegalMarks:
       return display.illegal_marks;
+    case ActionId::kToggleCreases:
+      return display.creases;
     case ActionId::kThemeDark:
       return display.theme == Theme::kDark;
     case ActionId::kThemeLight:

@@ -240,7 +240,7 @@ GuiFrame Gui::frame(const Model& model, const InputFrame& input, WindowSize wind
   return out;
 }
 
-void Gui::frame_legend(const DepthCounts& counts, Theme theme, WindowSize image) {
+void Gui::frame_legend(const LegendCounts& counts, Theme theme, WindowSize image) {
   State& state = *state_;
   ImGui::SetCurrentContext(state.context.get());
   state.restyle(theme);
@@ -249,8 +249,14 @@ void Gui::frame_legend(const DepthCounts& counts, Theme theme, WindowSize image)
   const LegendLook look{state.fonts, theme_colours(theme), state.unit()};
   const float margin = 16.0F * state.unit();
   const WindowSize size = legend_size(look);
-  draw_legend(*ImGui::GetBackgroundDrawList(), look, counts,
-              {margin, static_cast<float>(image.height - size.height) - margin});
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float bottom = static_cast<float>(image.height) - margin;
+  draw_legend(list, look, counts.depths, {margin, bottom - static_cast<float>(size.height)});
+  if (has_creases(counts.creases)) {
+    draw_crease_legend(list, look, counts.creases,
+                       {margin + static_cast<float>(size.width) + margin / 2.0F,
+                        bottom - static_cast<float>(crease_legend_size(look).height)});
+  }
   ImGui::Render();
 }
 

@@ -102,7 +102,7 @@ class Gui {
 
   /// Draws the legend alone, lower left in an image of this size, for pictures made without a
   /// window.
-  void frame_legend(const DepthCounts& counts, Theme theme, WindowSize image);
+  void frame_legend(const LegendCounts& counts, Theme theme, WindowSize image);
 
   /// Controls of the last frame.
   [[nodiscard]] std::span<const ItemRect> items() const;

@@ -122,6 +122,8 @@ std::vector<Binding> shared_bindings() {
       {{Key::kL, kPlain}, kToggleLight},
       {{Key::kN, kPlain}, kToggleLabels},
       {{Key::kM, kPlain}, kToggleIllegalMarks},
+      {{Key::kM, kShift}, kToggleCreases},
+      {{Key::kJ, kShift}, kCreaseDihedral},
 
       {{Key::kHome, kPlain}, kFrameAll},
       {{Key::kHome, kShift}, kFramePainted},

@@ -22,43 +22,117 @@ Metrics metrics(const LegendLook& look) {
   return {10.0F * u, 21.0F * u, 14.0F * u, 132.0F * u};
 }
 
+float crease_legend_width(const LegendLook& look) {
+  return 168.0F * look.unit;
+}
+
+/// Draws the lines of one legend, from the upper left corner of the box on.
+class Lines {
+ public:
+  Lines(ImDrawList& list, const LegendLook& look, ImVec2 origin, const WindowSize& size)
+      : list_(list),
+        look_(look),
+        origin_(origin),
+        metrics_(metrics(look)),
+        width_(static_cast<float>(size.width)),
+        height_(look.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale) {
+    list.AddRectFilled(origin, {origin.x + width_, origin.y + static_cast<float>(size.height)},
+                       look.colours.overlay, 6.0F * look.unit);
+  }
+
+  /// Where the next line's swatch goes.
+  struct Place {
+    ImVec2 low;
+    ImVec2 high;
+  };
+  [[nodiscard]] Place swatch() const {
+    const float top = origin_.y + metrics_.padding + static_cast<float>(line_) * metrics_.line;
+    const ImVec2 low{origin_.x + metrics_.padding,
+                     std::floor(top + (metrics_.line - metrics_.swatch) / 2.0F)};
+    return {low, {low.x + metrics_.swatch, low.y + metrics_.swatch}};
+  }
+  /// A line of text alone.
+  void title(const char* text) {
+    const float top = origin_.y + metrics_.padding + static_cast<float>(line_) * metrics_.line;
+    list_.AddText(
+        look_.fonts.small, height_,
+        {origin_.x + metrics_.padding, std::floor(top + (metrics_.line - height_) / 2.0F)},
+        look_.colours.dim_text, text);
+    ++line_;
+  }
+  /// The text beside it; goes on to the next line.
+  void text(const std::string& name, std::size_t count) {
+    const float top = origin_.y + metrics_.padding + static_cast<float>(line_) * metrics_.line;
+    const float y = std::floor(top + (metrics_.line - height_) / 2.0F);
+    ImFont* font = look_.fonts.small;
+    const ImU32 ink = count > 0 ? look_.colours.text : faded(look_.colours.dim_text, 0.6F);
+    list_.AddText(font, height_, {swatch().high.x + 8.0F * look_.unit, y}, ink, name.c_str());
+    const std::string figure = grouped(count);
+    const float figure_width = font->CalcTextSizeA(height_, 1.0e6F, 0.0F, figure.c_str()).x;
+    list_.AddText(font, height_,
+                  {std::floor(origin_.x + width_ - metrics_.padding - figure_width), y}, ink,
+                  figure.c_str());
+    ++line_;
+  }
+
+ private:
+  ImDrawList& list_;
+  const LegendLook& look_;
+  ImVec2 origin_;
+  Metrics metrics_;
+  float width_;
+  float height_;
+  int line_ = 0;
+};
+
+WindowSize size_of(const LegendLook& look, float width, int lines) {
+  const Metrics m = metrics(look);
+  return {static_cast<double>(width),
+          static_cast<double>(2.0F * m.padding + static_cast<float>(lines) * m.line)};
+}
+
 }  // namespace
 
 WindowSize legend_size(const LegendLook& look) {
-  const Metrics m = metrics(look);
-  return {static_cast<double>(m.width), static_cast<double>(2.0F * m.padding + kLines * m.line)};
+  return size_of(look, metrics(look).width, kLines);
 }
 
 void draw_legend(ImDrawList& list, const LegendLook& look, const DepthCounts& counts,
                  ImVec2 origin) {
-  const Metrics m = metrics(look);
-  const WindowSize size = legend_size(look);
-  ImFont* font = look.fonts.small;
-  const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const auto width_of = [&](const std::string& text) {
-    return font->CalcTextSizeA(height, 1.0e6F, 0.0F, text.c_str()).x;
-  };
-  list.AddRectFilled(
-      origin,
-      {origin.x + static_cast<float>(size.width), origin.y + static_cast<float>(size.height)},
-      look.colours.overlay, 6.0F * look.unit);
+  Lines lines(list, look, origin, legend_size(look));
   for (int line = 0; line < kLines; ++line) {
     const bool is_last = line == kLines - 1;
     std::size_t count = counts[static_cast<std::size_t>(line)];
     for (std::size_t deeper = kLines; is_last && deeper < counts.size(); ++deeper) {
       count += counts[deeper];
     }
-    const float top = origin.y + m.padding + static_cast<float>(line) * m.line;
-    const float text_y = std::floor(top + (m.line - height) / 2.0F);
-    const ImVec2 low{origin.x + m.padding, std::floor(top + (m.line - m.swatch) / 2.0F)};
-    const ImVec2 high{low.x + m.swatch, low.y + m.swatch};
+    const auto [low, high] = lines.swatch();
     list.AddRectFilled(low, high, swatch_colour(line), 3.0F * look.unit);
-    const ImU32 ink = count > 0 ? look.colours.text : faded(look.colours.dim_text, 0.6F);
-    const std::string name = std::to_string(line) + (is_last ? "+" : "");
-    list.AddText(font, height, {high.x + 8.0F * look.unit, text_y}, ink, name.c_str());
-    const std::string figure = grouped(count);
-    const float right = origin.x + m.width - m.padding;
-    list.AddText(font, height, {std::floor(right - width_of(figure)), text_y}, ink, figure.c_str());
+    lines.text(std::to_string(line) + (is_last ? "+" : ""), count);
+  }
+}
+
+bool has_creases(const CreaseCounts& counts) noexcept {
+  return std::any_of(counts.begin(), counts.end(), [](std::size_t count) { return count > 0; });
+}
+
+WindowSize crease_legend_size(const LegendLook& look) {
+  return size_of(look, crease_legend_width(look), static_cast<int>(kSharpnessBands) + 1);
+}
+
+void draw_crease_legend(ImDrawList& list, const LegendLook& look, const CreaseCounts& counts,
+                        ImVec2 origin) {
+  Lines lines(list, look, origin, crease_legend_size(look));
+  lines.title("Crease sharpness");
+  for (std::size_t band = 0; band < kSharpnessBands; ++band) {
+    const auto [low, high] = lines.swatch();
+    const Rgb colour = crease_palette()[band];
+    const float middle = std::floor((low.y + high.y) / 2.0F);
+    list.AddLine({low.x, middle}, {high.x, middle}, IM_COL32(0x12, 0x12, 0x14, 0xBF),
+                 6.0F * look.unit);
+    list.AddLine({low.x, middle}, {high.x, middle},
+                 IM_COL32(colour.red, colour.green, colour.blue, 0xFF), 3.5F * look.unit);
+    lines.text(sharpness_band_name(band), counts[band]);
   }
 }
 

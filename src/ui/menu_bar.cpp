@@ -62,7 +62,8 @@ void edit_menu(PanelContext& context) {
   action_menu_item(context, kRedo, with_name("Redo", history.redo_name));
   items(context, {kRevert});
   ImGui::Separator();
-  items(context, {kRaiseAll, kLowerAll, kZeroAll, kRaiseVisible, kRaiseDihedral});
+  items(context, {kRaiseAll, kLowerAll, kZeroAll, kRaiseVisible, kRaiseDihedral, kCreaseDihedral,
+                  kClearCreases});
   ImGui::Separator();
   items(context, {kToolPaint, kToolLower, kToolPick, kToolOrbit});
   ImGui::Separator();
@@ -76,8 +77,8 @@ void view_menu(PanelContext& context) {
   }
   items(context, {kShowControl, kShowRefined, kShowBoth});
   ImGui::Separator();
-  items(context,
-        {kToggleWireframe, kToggleSmooth, kToggleLight, kToggleLabels, kToggleIllegalMarks});
+  items(context, {kToggleWireframe, kToggleSmooth, kToggleLight, kToggleLabels, kToggleIllegalMarks,
+                  kToggleCreases});
   ImGui::Separator();
   items(context, {kFrameAll, kFramePainted, kFrameHovered, kZoomIn, kZoomOut});
   ImGui::Separator();

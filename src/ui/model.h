@@ -11,6 +11,7 @@
 
 #include "limn/document/view_state.h"
 #include "limn/error.h"
+#include "limn/painting/crease_palette.h"
 #include "limn/subdivision/settings.h"
 
 namespace limn {
@@ -42,6 +43,7 @@ struct DisplaySettings {
   bool light = true;
   bool labels = false;         ///< Vertex labels as numbered points.
   bool illegal_marks = false;  ///< Illegal faces hatched, illegal vertices as dots.
+  bool creases = true;         ///< Sharp edges and vertices, coloured by sharpness.
 
   [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
 };
@@ -161,6 +163,12 @@ using Modal = std::variant<std::monostate, ErrorDialog, OverBudgetQuestion, Unsa
 /// Control faces of each depth.
 using DepthCounts = std::array<std::size_t, kMaxDepth + 1>;
 
+/// What the legends count. The legend of creases is left out where there are none.
+struct LegendCounts {
+  DepthCounts depths{};
+  CreaseCounts creases{};
+};
+
 /// Everything the panels read in one frame. They change nothing: what a person wants comes back as
 /// actions. References and spans must live through the frame.
 struct Model {
@@ -174,8 +182,11 @@ struct Model {
   ViewState view{};
 
   DepthCounts depth_counts{};
+  CreaseCounts crease_counts{};                 ///< Control edges by sharpness.
   double dihedral_threshold = 30.0;             ///< Degrees.
   std::optional<std::size_t> dihedral_faces{};  ///< Faces over the threshold, if counted.
+  std::optional<std::size_t> dihedral_edges{};  ///< Edges over the threshold, if counted.
+  double crease_sharpness = 2.0;                ///< That "crease edges" gives, 0..10.
 
   RefinementStatus refinement{};
   HistoryStatus history{};

@@ -31,6 +31,13 @@ void control_rows(PanelContext& context) {
                       "Faces with five sides or more."});
   value_row(context, {"Boundary edges", grouped(s.boundary_edges),
                       "Edges with one face only, where the surface ends."});
+  value_row(context, {"Creased edges", grouped(s.crease_edges),
+                      "Edges that stay sharp for a number of levels, or for ever."});
+  value_row(context, {"Sharp vertices", grouped(s.sharp_vertices),
+                      "Vertices that are pulled to a corner for a number of levels."});
+  value_row(context, {"Texture seams", s.uv_points == 0 ? kNothing : grouped(s.uv_seams),
+                      "Edges at which the texture is cut; a mesh without texture coordinates has "
+                      "no figure here."});
   value_row(context, {"Euler characteristic", grouped(s.euler_characteristic),
                       "Vertices - edges + faces: 2 for a surface like a ball, 0 like a ring."});
 }

@@ -97,6 +97,14 @@ void draw_overlays(PanelContext& context, const WindowRect& viewport) {
   if (legend.height + 2.0 * static_cast<double>(margin) < viewport.size.height) {
     draw_legend(list, look, context.model.depth_counts,
                 {low.x + margin, high.y - margin - static_cast<float>(legend.height)});
+    const WindowSize creases = crease_legend_size(look);
+    const double both = legend.width + creases.width + 8.0 * static_cast<double>(margin);
+    if (context.model.display.creases && has_creases(context.model.crease_counts) &&
+        both < viewport.size.width) {
+      draw_crease_legend(list, look, context.model.crease_counts,
+                         {low.x + 1.5F * margin + static_cast<float>(legend.width),
+                          high.y - margin - static_cast<float>(creases.height)});
+    }
   }
   draw_axes(context, list, {high.x - margin - context.px(32), high.y - margin - context.px(32)});
   draw_toasts(context, list, viewport);

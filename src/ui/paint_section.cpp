@@ -66,6 +66,15 @@ void target_depth_row(PanelContext& context) {
   ImGui::PopFont();
 }
 
+/// The action's label, with how much it concerns where that is known.
+std::string with_count(ActionId id, std::optional<std::size_t> count, const char* what) {
+  std::string label(info(id).label);
+  if (count) {
+    label += " (" + counted(*count, what) + ")";
+  }
+  return label;
+}
+
 }  // namespace
 
 void draw_paint_section(PanelContext& context) {
@@ -86,11 +95,17 @@ void draw_paint_section(PanelContext& context) {
   sub_heading(context, "Sharp places");
   action_slider(context, kSetDihedralThreshold, context.model.dihedral_threshold,
                 {.label = "Bent by over", .format = "%.0f°", .low = 0.0, .high = 180.0});
-  const std::string label = context.model.dihedral_faces
-                                ? std::string(info(kRaiseDihedral).label) + " (" +
-                                      counted(*context.model.dihedral_faces, "face") + ")"
-                                : std::string(info(kRaiseDihedral).label);
-  action_button(context, kRaiseDihedral, {.label = label});
+  action_button(context, kRaiseDihedral,
+                {.label = with_count(kRaiseDihedral, context.model.dihedral_faces, "face")});
+  const double sharpness = context.model.crease_sharpness;
+  action_slider(context, kSetCreaseSharpness, sharpness,
+                {.label = "Crease for",
+                 .format = sharpness >= double{kInfiniteSharpness} ? "ever" : "%.1f levels",
+                 .low = 0.0,
+                 .high = double{kInfiniteSharpness}});
+  action_button(context, kCreaseDihedral,
+                {.label = with_count(kCreaseDihedral, context.model.dihedral_edges, "edge")});
+  action_button(context, kClearCreases);
 }
 
 }  // namespace limn::ui

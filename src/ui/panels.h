@@ -36,7 +36,8 @@ void draw_path_prompt(PanelContext& context, const PathPrompt& prompt);
 /// What the mouse does now in the viewport: "Left drag: depth +1 · Shift: depth −1 · ...".
 [[nodiscard]] std::string mouse_hint(const Model& model, const ViewportInput& input);
 
-/// The legend: a swatch, a depth and a count per line. Returns its size in window units.
+/// The legends: a swatch, a depth or band of sharpness, and a count per line. Sizes are in window
+/// units.
 struct LegendLook {
   const Fonts& fonts;
   const ThemeColours& colours;
@@ -45,5 +46,10 @@ struct LegendLook {
 [[nodiscard]] WindowSize legend_size(const LegendLook& look);
 void draw_legend(ImDrawList& list, const LegendLook& look, const DepthCounts& counts,
                  ImVec2 origin);
+[[nodiscard]] WindowSize crease_legend_size(const LegendLook& look);
+void draw_crease_legend(ImDrawList& list, const LegendLook& look, const CreaseCounts& counts,
+                        ImVec2 origin);
+/// Whether there is anything to explain.
+[[nodiscard]] bool has_creases(const CreaseCounts& counts) noexcept;
 
 }  // namespace limn::ui

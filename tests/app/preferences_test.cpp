@@ -28,6 +28,8 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereSaved) {
   saved.keymap = ui::KeymapId::kClassroom;
   saved.brush_radius = 37.5;
   saved.dihedral_threshold = 12.25;
+  saved.crease_sharpness = 3.75;
+  saved.display.creases = !saved.display.creases;
   saved.face_budget = 123456;
   saved.layout.panel_width = 401.0;
   saved.layout.display_open = !saved.layout.display_open;

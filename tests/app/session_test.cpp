@@ -95,6 +95,55 @@ TEST_F(SessionTest, RulesPaintAndUndo) {
   EXPECT_EQ(depths(), (std::vector<int>{2, 1, 2, 1, 1, 1}));
 }
 
+TEST_F(SessionTest, CreasesEdgesOverTheThreshold) {
+  const auto creases = [this] { return session_.document().control->creases(); };
+  stroke({0}, DepthChange::set(2));
+  session_.perform(kSubdivide);
+  session_.finish_refinement();
+  session_.perform({kSetDihedralThreshold, 95.0});
+  session_.perform(kCreaseDihedral);
+  EXPECT_EQ(creases(), Creases{});
+  EXPECT_THAT(last_toast(), HasSubstr("No edge is bent"));
+  session_.perform({kSetDihedralThreshold, 80.0});
+  session_.perform({kSetCreaseSharpness, 2.5});
+  EXPECT_EQ(session_.model().dihedral_edges, 12U);
+  const auto* topology = &session_.document().control->topology();
+  session_.perform(kCreaseDihedral);
+  EXPECT_EQ(creases().edge_sharpness, std::vector<float>(12, 2.5F));
+  EXPECT_EQ(&session_.document().control->topology(), topology) << "the surface is shared";
+  EXPECT_EQ(session_.document().depths[0], 2) << "the painting stays";
+  EXPECT_EQ(session_.document().stage.levels, kAllLevels);
+  EXPECT_TRUE(session_.shows_refined()) << "the last refined mesh stays until the next is there";
+  EXPECT_EQ(session_.model().crease_counts[2], 12U);
+  EXPECT_EQ(session_.model().statistics.crease_edges, 12U);
+  session_.finish_refinement();
+  EXPECT_EQ(session_.refinement().refined()->control, session_.document().control);
+
+  session_.perform(kCreaseDihedral);
+  EXPECT_THAT(last_toast(), HasSubstr("as sharp already"));
+  session_.perform({kSetCreaseSharpness, 99.0});
+  session_.perform(kCreaseDihedral);
+  EXPECT_EQ(creases().edge_sharpness, std::vector<float>(12, kInfiniteSharpness));
+  session_.perform(kClearCreases);
+  EXPECT_EQ(creases(), Creases{});
+  session_.perform(kClearCreases);
+  EXPECT_THAT(last_toast(), HasSubstr("nothing to clear"));
+  session_.perform(kUndo);
+  session_.perform(kUndo);
+  EXPECT_EQ(creases().edge_sharpness, std::vector<float>(12, 2.5F));
+  session_.perform(kUndo);
+  EXPECT_EQ(creases(), Creases{});
+  EXPECT_EQ(session_.document().control, session_.document().opened);
+}
+
+TEST_F(SessionTest, AMeshsBoundaryRuleIsHonoured) {
+  const std::string path = folder_.file("round.obj");
+  std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt interpolateboundary "
+                         "1/0/0 2\n";
+  session_.perform({kOpen, path});
+  EXPECT_EQ(session_.document().settings.corners, CornerRule::kSmooth);
+}
+
 TEST_F(SessionTest, VisibleWithoutAScreenChangesNothing) {
   Session blind({[] {}, {}});
   blind.perform(kRaiseVisible);

@@ -33,6 +33,25 @@ TEST(Info, ReadsStandardInputAndReportsWhatItMended) {
   EXPECT_THAT(run.err, testing::HasSubstr("1 vertex was in no face"));
 }
 
+TEST(Info, CountsCreasesAndTexture) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+      "f 1/1 2/2 5/3 4/4\nf 2/1 3/2 6/3 5/4\nt crease 2/1/0 1 4 2.5\nt crease 2/1/0 0 4 1\n"
+      "t corner 1/1/0 0 10\n";
+  const ProgramRun run = limn({"info", "-", "--json"}, text);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json info = Json::parse(run.out);
+  EXPECT_EQ(info["crease_edges"], 1);
+  EXPECT_EQ(info["sharp_vertices"], 1);
+  EXPECT_EQ(info["uv_points"], 4);
+  EXPECT_EQ(info["uv_seams"], 1);
+  EXPECT_EQ(info["mended"]["lost_creases"], 1);
+  EXPECT_THAT(run.err, testing::HasSubstr("1 crease tag was left out"));
+  const ProgramRun people = limn({"info", "-"}, text);
+  EXPECT_THAT(people.out, testing::HasSubstr("1 edge (1 up to 3), 1 vertex"));
+  EXPECT_THAT(people.out, testing::HasSubstr("4 points, 1 seam edge"));
+}
+
 TEST(Info, TextForPeopleHasTheCounts) {
   const ProgramRun run = limn({"info", "mixed"});
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -129,5 +129,21 @@ TEST(Refine, AFailedWriteLeavesTheOldFile) {
   EXPECT_THAT(run.err, HasSubstr("no/such/folder"));
 }
 
+TEST(Refine, CreasesEdgesByRules) {
+  const ProgramRun run = limn({"refine", "cube", "--levels", "0", "-o", "-", "--crease",
+                               "angle>80:=2", "--crease", "creased:+0.5"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto creased = import_obj(run.out, "out");
+  ASSERT_TRUE(creased) << to_string(creased.error());
+  EXPECT_EQ(creased->mesh->creases().edge_sharpness, std::vector<float>(12, 2.5F));
+  const ProgramRun cleared =
+      limn({"refine", "-", "--levels", "0", "-o", "-", "--crease", "clear"}, run.out);
+  ASSERT_EQ(cleared.exit_code, 0) << cleared.err;
+  EXPECT_THAT(cleared.out, testing::Not(testing::HasSubstr("crease")));
+  const ProgramRun misspelt = limn({"refine", "cube", "--crease", "angel>3:=2"});
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_THAT(misspelt.err, testing::HasSubstr("which edges to crease"));
+}
+
 }  // namespace
 }  // namespace limn::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/mesh_checks.h"
+#include "support/attribute_shapes.h"
 
 namespace limn {
 namespace {
@@ -50,6 +51,28 @@ TEST(MeshStatistics, OpenPartsAndHoles) {
   EXPECT_EQ(s.components, 3U);
   EXPECT_EQ(s.euler_characteristic, 0 + 1 + 1);
   EXPECT_EQ(s.highest_valence, 6U);  // The hub of the fan: five faces, six edges.
+}
+
+TEST(MeshStatistics, CountsCreasesAndSeams) {
+  std::size_t charted_cubes = 0;
+  for (const auto& [name, mesh] : test::textured_shapes()) {
+    const MeshStatistics s = mesh_statistics(*mesh);
+    EXPECT_EQ(s.uv_points, mesh->texture().values.size()) << name;
+    if (name == "cube, cross") {
+      EXPECT_EQ(s.uv_seams, 7U);
+      ++charted_cubes;
+    } else if (name == "cube, chart per face") {
+      EXPECT_EQ(s.uv_seams, 12U);
+      ++charted_cubes;
+    }
+  }
+  EXPECT_EQ(charted_cubes, 2U);
+  const MeshStatistics plain = mesh_statistics(*test::cube());
+  EXPECT_EQ(plain.uv_points + plain.uv_seams + plain.crease_edges + plain.sharp_vertices, 0U);
+  const MeshStatistics creased = mesh_statistics(*test::with_tags(
+      test::cube_soup(), {{{0, 1}, 2.0F}, {{1, 2}, 0.5F}, {{2, 3}, 0.0F}}, {{7, 1.0F}}));
+  EXPECT_EQ(creased.crease_edges, 2U);
+  EXPECT_EQ(creased.sharp_vertices, 1U);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "limn/subdivision/label_subdivision.h"
 #include "render/mesh_renderer.h"
 #include "render/named_views.h"
+#include "support/attribute_shapes.h"
 #include "support/gl_fixture.h"
 #include "support/image_compare.h"
 #include "support/shapes.h"
@@ -113,6 +114,25 @@ std::vector<std::uint8_t> depths_by_height(const ControlMesh& mesh, int deepest)
 TEST_F(Goldens, CubeFlat) {
   show(test::cube());
   EXPECT_TRUE(test::matches_golden(draw(), "cube_flat"));
+}
+
+/// A cube with an edge of every band of sharpness on the faces that show, and two sharp vertices.
+TEST_F(Goldens, CreasesByTheirSharpness) {
+  show(test::with_tags(test::cube_soup(),
+                       {{{3, 7}, 0.5F},
+                        {{7, 6}, 1.5F},
+                        {{6, 2}, 2.5F},
+                        {{2, 3}, 3.5F},
+                        {{6, 5}, 6.0F},
+                        {{4, 5}, kInfiniteSharpness},
+                        {{5, 1}, kInfiniteSharpness},
+                        {{0, 1}, 1.0F}},
+                       {{7, 1.0F}, {5, kInfiniteSharpness}}));
+  CreaseBuffers creases;
+  creases.upload(crease_lines(*mesh));
+  EXPECT_EQ(creases.count(), 10U);
+  scene.creases = &creases;
+  EXPECT_TRUE(test::matches_golden(draw(), "creases"));
 }
 
 TEST_F(Goldens, CubeUnlitIsThePaletteExactly) {

@@ -50,6 +50,19 @@ TEST(Panels, ASwatchSetsTheTargetDepthAndMakesTheBrushUseIt) {
   EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kSetTargetDepth, 10)));
 }
 
+TEST(Panels, CreasesAreClearedOnlyWhereThereAreAny) {
+  Screen screen({1280, 1800});
+  screen.click("Clear creases");
+  EXPECT_THAT(screen.take_actions(), IsEmpty());
+  screen.statistics.sharp_vertices = 1;
+  screen.click("Clear creases");
+  screen.click("Crease sharp edges");
+  screen.click("Creases");
+  EXPECT_THAT(screen.take_actions(),
+              ElementsAre(Action(ActionId::kClearCreases), Action(ActionId::kCreaseDihedral),
+                          Action(ActionId::kToggleCreases, false)));
+}
+
 TEST(Panels, WhatCannotBeDoneCannotBePressed) {
   Screen screen;
   ASSERT_TRUE(screen.model.history.undo_name.empty());

@@ -42,7 +42,7 @@ TEST(Legend, IsDrawnAloneInItsCorner) {
   Screen screen;
   DepthCounts counts{};
   counts[0] = 5;
-  screen.gui().frame_legend(counts, Theme::kLight, {640, 480});
+  screen.gui().frame_legend({counts, {}}, Theme::kLight, {640, 480});
   const ImDrawData& data = screen.gui().draw_data();
   ASSERT_EQ(data.CmdListsCount, 1);
   const ImDrawList& list = *data.CmdLists[0];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limn/document/command.h"
+#include "limn/painting/crease_rule.h"
 #include "limn/painting/depth_change.h"
 
 namespace limn {
@@ -24,6 +25,10 @@ namespace limn {
 /// the same surface as the document's, from ControlMesh::with_attributes. Depths and stage stay.
 [[nodiscard]] std::unique_ptr<Command> attributes_command(
     std::shared_ptr<const ControlMesh> control, std::string name);
+
+/// The control mesh with its creases after the rule: an attributes command.
+[[nodiscard]] std::unique_ptr<Command> crease_command(const Document& document,
+                                                      const CreaseRule& rule);
 
 /// Replaces the control mesh, unpainted and at stage 0: Apply (the refined mesh becomes the control
 /// mesh).

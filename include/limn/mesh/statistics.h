@@ -18,6 +18,11 @@ struct MeshStatistics {
   std::size_t components = 0;
   long euler_characteristic = 0;  ///< V - E + F.
   std::size_t highest_valence = 0;
+
+  std::size_t crease_edges = 0;    ///< With a sharpness of their own.
+  std::size_t sharp_vertices = 0;  ///< Likewise.
+  std::size_t uv_points = 0;       ///< Points of the texture plane.
+  std::size_t uv_seams = 0;        ///< Edges at which the two faces name different points.
 };
 
 /// Counts everything in time linear in the size of the mesh.
