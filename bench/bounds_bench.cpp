@@ -11,6 +11,7 @@
 
 #include "cases.h"
 #include "limn/contract.h"
+#include "memory.h"
 
 namespace limn::bench {
 namespace {
@@ -43,6 +44,7 @@ class Block {
 enum class Kind { kCopy, kFill, kFirstTouchSmall, kFirstTouchHuge };
 
 void write_memory(benchmark::State& state, Kind kind, std::size_t threads) {
+  warm_free_memory(threads * (kBytes + kHugePage));
   std::vector<std::unique_ptr<Block>> from(threads);
   std::vector<std::unique_ptr<Block>> to(threads);
   for (std::size_t t = 0; t < threads; ++t) {

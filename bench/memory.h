@@ -13,6 +13,11 @@ void settle_allocator();
 /// Gives what is free back to the system: the next run takes its memory anew and pays for it.
 void return_free_memory();
 
+/// Makes sure that the system has `bytes` to give at once. A virtual machine hands memory that was
+/// free for a while back to its host, and taking that again can take ten times as long: a time that
+/// would be the host's, and anyone's who happens to come first.
+void warm_free_memory(std::size_t bytes);
+
 /// How often memory was asked for by `operator new` so far.
 [[nodiscard]] std::size_t allocation_count();
 

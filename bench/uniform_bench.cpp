@@ -51,12 +51,17 @@ const std::vector<Contender> kOthers = {
     {"cgal", "cgal"},
 };
 
+/// No less than the programs take for an output face.
+constexpr std::size_t kLimnBytes = 48;
+constexpr std::size_t kPeerBytes = 176;
+
 void refine_uniformly(benchmark::State& state, const Contender& contender, const Work& work) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     contender.threads);
   Subdivider& program = cached_subdivider(contender.program, work.mesh);
   const Counts expected = uniform_counts(control_mesh(work.mesh), work.levels);
   return_free_memory();
+  warm_free_memory(expected.faces * (contender.program == "limn" ? kLimnBytes : kPeerBytes));
   const PageScope pages(contender.pages);
   std::optional<KeepMemory> keep;
   if (contender.memory == Memory::kKeptByAllocator) {

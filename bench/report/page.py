@@ -44,10 +44,18 @@ than times do. How it was measured stands [at the end](#how-it-is-measured).
 | Memory | {machine["memory"]}, transparent huge pages: {chosen(machine["huge_pages"])} |
 | System | {machine["system"]} |
 | GPU | {gpu(results)} |
-| Load before the run | {machine["load_avg"][0]:.1f} |
+| Others on the machine | took {others_share(results)} of the time |
 | Compiler | {machine["compiler"]}, release build |
 | Peers | OpenSubdiv {machine["opensubdiv"]}, OpenMesh {machine["openmesh"]}, CGAL {machine["cgal"]}, from Debian 12 |
 | Date | {machine["date"][:10]} |"""
+
+
+def others_share(results):
+    """How much of the time of runs on one thread that thread had no processor."""
+    cases = [case for case in results.group("uniform") if "_threads" not in case.path[3]]
+    total = sum(sum(case.times) for case in cases)
+    own = sum(sum(case.processor_times) for case in cases)
+    return f"{100 * (1 - own / total):.0f} %" if total else "an unknown part"
 
 
 def chosen(setting):
@@ -275,5 +283,7 @@ def method(results):
 - *Fresh* memory: before each run everything freed is given back to the system (`malloc_trim`), and the allocator's thresholds are fixed where glibc's own adjustment would take them. So every
   program pays for its page faults. Limn asks for huge pages, which is part of how it is made; the rows on other pages tell what that is worth, for it and for
   OpenSubdiv.
+- Before each run the system is also made to have as much free memory at hand as the program will need: a virtual machine gives free memory back to its host, and whoever takes
+  it again first would be charged for that.
 - *Kept* memory: one refinement is made before the clock starts. Limn refines into the result it has; for OpenSubdiv, which has no such way, the allocator keeps all memory.
 - Run `scripts/bench.sh` again on a quiet machine to measure anew; `scripts/bench.sh --quick` takes a minute and writes nothing here."""

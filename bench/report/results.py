@@ -11,6 +11,7 @@ class Case:
         self.name = name
         self.path = name.split("/")
         self.times = []  # Seconds.
+        self.processor_times = []  # Of the thread that runs the case.
         self.counters = {}
         self.label = ""
         self.error = None
@@ -64,6 +65,7 @@ class Results:
             case.error = run["error_message"]
             return
         case.times.append(run["real_time"] * UNITS[run["time_unit"]])
+        case.processor_times.append(run["cpu_time"] * UNITS[run["time_unit"]])
         case.counters.update({key: value for key, value in run.items() if key not in FIELDS})
 
     def get(self, *path):
