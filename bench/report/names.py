@@ -22,6 +22,8 @@ BOUNDS = {
 
 LAYOUTS = {"patches": "twelve patches", "scattered": "scattered faces"}
 
+METHODS = {"greedy": "greedy", "look_ahead": "look-ahead"}
+
 PICKING = {
     "draw": "Draw what is asked, in a picture from a new side",
     "pick": "The face under the pointer, in a still picture",

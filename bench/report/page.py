@@ -1,11 +1,13 @@
 """The page of tables. A section whose cases were not run is left out."""
 
-from names import BOUNDS, LAYOUTS, MAIN, PAINTED, PICKING, PROGRAMS, works
+from math import log
+
+from names import BOUNDS, LAYOUTS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, works
 
 
 def page(results):
-    sections = [opening, at_a_glance, uniform, memory, adaptive, machine_bounds, others, picking,
-                agreement, not_measured, method]
+    sections = [opening, at_a_glance, uniform, memory, adaptive, legalisation, machine_bounds,
+                others, picking, agreement, not_measured, method]
     texts = [section(results) for section in sections]
     return "\n\n".join(text for text in texts if text) + "\n"
 
@@ -18,7 +20,8 @@ def table(head, rows, words=1):
 
 def times(factor):
     """A ratio that is better the larger it is; what is below 1 is said aloud."""
-    text = f"{factor:.0f}×" if factor >= 10 else f"{factor:.1f}×" if factor >= 1 else f"{factor:.2f}×"
+    digits = 0 if factor >= 10 else 1 if factor >= 1 else 2
+    text = f"{factor:.{digits}f}×"
     return text if factor >= 0.995 else f"**{text} (behind)**"
 
 
@@ -200,7 +203,8 @@ def machine_bounds(results):
     if not rates:
         return ""
     rows = [[text[0].upper() + text[1:], "",
-             *(f"{rates[kind, threads]:.1f}" if (kind, threads) in rates else "" for threads in "12")]
+             *(f"{rates[kind, threads]:.1f}" if (kind, threads) in rates else ""
+               for threads in "12")]
             for kind, text in BOUNDS.items()]
     for one, two in (("limn", "limn_2_threads"), ("limn_retained", "limn_retained_2_threads")):
         cases = [results.get("uniform", *MAIN, name) for name in (one, two)]
@@ -208,8 +212,8 @@ def machine_bounds(results):
             size = next(case for case in cases if case).counters
             rows.append([f"{PROGRAMS[one]}: the refined mesh",
                          f"{size['result_bytes'] / size['faces']:.0f}",
-                         *(f"{case.counters['result_bytes'] / case.seconds / 1e9:.1f}" if case else ""
-                           for case in cases)])
+                         *(f"{case.counters['result_bytes'] / case.seconds / 1e9:.1f}"
+                           if case else "" for case in cases)])
     return f"""## Against the machine
 
 Gigabytes written a second. A refinement can be no faster than its result is written; it also writes the levels before the last, and reads them.
@@ -236,9 +240,36 @@ def number(value):
     return f"{value:,.0f}" if value == int(value) else f"{value:.4g}"
 
 
+def legalisation(results):
+    rows, growth = [], []
+    for method, text in METHODS.items():
+        cases = sorted((case for case in results.group("legalise") if case.path[2] == method),
+                       key=lambda case: case.counters["illegal"])
+        if not cases:
+            continue
+        rows += [[text if case is cases[0] else "", number(case.counters["illegal"]),
+                  milliseconds(case), f"{1e9 * case.seconds / case.counters['illegal']:.0f}",
+                  number(case.counters["steps"]), number(case.counters["faces"])]
+                 for case in cases]
+        if len(cases) > 1:
+            few, many = cases[0], cases[-1]
+            exponent = (log(many.seconds / few.seconds) /
+                        log(many.counters["illegal"] / few.counters["illegal"]))
+            growth.append(f"{text} {exponent:.2f}")
+    if not rows:
+        return ""
+    head = ["method", "illegal vertices", "ms: median (least to most)", "ns an illegal vertex",
+            "choices", "faces of the refined mesh"]
+    return f"""## Legalisation
+
+Tori of quads of which 5 % are painted at random, one thread. Time grows with the number of illegal vertices to the power of: {", ".join(growth)}.
+
+{table(head, rows)}"""
+
+
 def others(results):
     """Groups that have no section of their own: every counter of every case."""
-    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement"}
+    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement", "legalise"}
     sections = []
     for group in sorted({case.path[0] for case in results.cases.values()} - known):
         cases = results.group(group)
