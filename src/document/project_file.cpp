@@ -36,16 +36,27 @@ constexpr std::array<Named<NonQuadRule>, 2> kNonQuadRules{
      {"where-painted", NonQuadRule::kWherePainted}}};
 constexpr std::array<Named<LegalisationMethod>, 1> kLegalisations{
     {{"greedy", LegalisationMethod::kGreedy}}};
+constexpr std::array<Named<SurfacePoints>, 2> kSurfacePoints{
+    {{"level", SurfacePoints::kLevel}, {"limit", SurfacePoints::kLimit}}};
+constexpr std::array<Named<TextureRule>, 2> kTextureRules{
+    {{"smooth-inside", TextureRule::kSmoothInside}, {"linear", TextureRule::kLinear}}};
+
 // --- writing
+
+/// Whether a program that reads version 1 alone would get the whole document.
+bool is_plain(const Document& document) {
+  const SubdivisionSettings defaults;
+  return document.settings.points == defaults.points &&
+         document.settings.texture == defaults.texture && !has_attributes(*document.control) &&
+         (document.opened == nullptr || !has_attributes(*document.opened));
+}
 
 void write_project(std::ostream& out, const Document& document,
                    const std::optional<ViewState>& view) {
   JsonWriter writer(out);
   const std::string mesh_path = document.mesh_path.string();
-  const bool is_plain = !has_attributes(*document.control) &&
-                        (document.opened == nullptr || !has_attributes(*document.opened));
   writer.add(fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n", kFormat,
-                         is_plain ? 1 : kVersion));
+                         is_plain(document) ? 1 : kVersion));
   writer.add(fmt::format("  \"name\": {},\n", json_quoted(document.name)));
   // A path that is not UTF-8 cannot be said in JSON; a changed one would name another file.
   writer.add(
@@ -53,9 +64,18 @@ void write_project(std::ostream& out, const Document& document,
   const SubdivisionSettings& settings = document.settings;
   writer.add(fmt::format(
       "  \"settings\": {{\n    \"non_quads\": \"{}\",\n    \"legalisation\": \"{}\",\n"
-      "    \"corners\": \"{}\"\n  }},\n",
+      "    \"corners\": \"{}\"",
       name_of(settings.non_quads, kNonQuadRules), name_of(settings.legalisation, kLegalisations),
       name_of(settings.corners, kCornerRules)));
+  // Left out where they are as they were before there was a choice.
+  if (settings.points != SubdivisionSettings{}.points) {
+    writer.add(
+        fmt::format(",\n    \"positions\": \"{}\"", name_of(settings.points, kSurfacePoints)));
+  }
+  if (settings.texture != SubdivisionSettings{}.texture) {
+    writer.add(fmt::format(",\n    \"texture\": \"{}\"", name_of(settings.texture, kTextureRules)));
+  }
+  writer.add("\n  },\n");
   const Stage& stage = document.stage;
   writer.add(fmt::format("  \"stage\": {{\n    \"legalised\": {},\n    \"levels\": {}\n  }},\n",
                          stage.is_legalised,
@@ -104,9 +124,17 @@ std::optional<Error> check_format(const ProjectText& text, const std::string& so
 
 SubdivisionSettings read_settings(FieldReader& fields) {
   fields.expect_object("/settings");
-  return {fields.choice("/settings/non_quads", kNonQuadRules),
-          fields.choice("/settings/legalisation", kLegalisations),
-          fields.choice("/settings/corners", kCornerRules)};
+  SubdivisionSettings settings;
+  settings.non_quads = fields.choice("/settings/non_quads", kNonQuadRules);
+  settings.legalisation = fields.choice("/settings/legalisation", kLegalisations);
+  settings.corners = fields.choice("/settings/corners", kCornerRules);
+  if (!fields.is_absent("/settings/positions")) {
+    settings.points = fields.choice("/settings/positions", kSurfacePoints);
+  }
+  if (!fields.is_absent("/settings/texture")) {
+    settings.texture = fields.choice("/settings/texture", kTextureRules);
+  }
+  return settings;
 }
 
 Stage read_stage(FieldReader& fields) {

@@ -99,8 +99,8 @@ void draw_paint_section(PanelContext& context) {
                 {.label = with_count(kRaiseDihedral, context.model.dihedral_faces, "face")});
   const double sharpness = context.model.crease_sharpness;
   action_slider(context, kSetCreaseSharpness, sharpness,
-                {.label = "Crease for",
-                 .format = sharpness >= double{kInfiniteSharpness} ? "ever" : "%.1f levels",
+                {.label = "Sharpness",
+                 .format = sharpness >= double{kInfiniteSharpness} ? "infinite" : "%.1f",
                  .low = 0.0,
                  .high = double{kInfiniteSharpness}});
   action_button(context, kCreaseDihedral,

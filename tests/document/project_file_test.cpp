@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <sys/stat.h>
@@ -13,10 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "document/project_fixture.h"
 #include "limn/document/commands.h"
 #include "limn/mesh/bundled.h"
 #include "limn/mesh/import.h"
-#include "support/attribute_shapes.h"
 #include "support/scratch_folder.h"
 
 namespace limn {
@@ -28,78 +26,9 @@ using test::write_file;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-Document opened(std::string_view name) {
-  return make_document(load_bundled_mesh(name).value(), std::string(name));
-}
-
-void expect_same_mesh(const ControlMesh& a, const ControlMesh& b) {
-  ASSERT_EQ(a.vertex_count(), b.vertex_count());
-  ASSERT_EQ(a.face_count(), b.face_count());
-  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = a.positions()[v][axis];
-      const double y = b.positions()[v][axis];
-      // By bits, so that -0 and 0 differ.
-      EXPECT_TRUE(x == y && std::signbit(x) == std::signbit(y)) << x << ' ' << y;
-    }
-  }
-  for (std::size_t f = 0; f < a.face_count(); ++f) {
-    EXPECT_TRUE(std::ranges::equal(a.face(f), b.face(f))) << f;
-  }
-  // The order around vertices decides how sums round, so it has to come back too.
-  EXPECT_EQ(a.topology().vertex_corners, b.topology().vertex_corners);
-  EXPECT_EQ(a.topology().edge_vertices, b.topology().edge_vertices);
-  EXPECT_EQ(a.creases(), b.creases());
-  EXPECT_EQ(a.texture(), b.texture());
-  EXPECT_EQ(a.attributes().corners, b.attributes().corners);
-}
-
-void expect_same_document(const Document& a, const Document& b) {
-  expect_same_mesh(*a.control, *b.control);
-  expect_same_mesh(*a.opened, *b.opened);
-  EXPECT_EQ(a.opened == a.control, b.opened == b.control);
-  EXPECT_EQ(a.depths, b.depths);
-  EXPECT_EQ(a.settings, b.settings);
-  EXPECT_EQ(a.stage, b.stage);
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.mesh_path, b.mesh_path);
-}
-
-class ProjectFile : public ::testing::Test {
- protected:
-  /// What loading this text complains about, as a person would read it.
-  std::string complaint(std::string_view text) {
-    write_file(path_, text);
-    const Result<Project> project = load_project(path_);
-    if (project) {
-      return "was loaded";
-    }
-    EXPECT_EQ(project.error().kind, ErrorKind::kBadInput);
-    EXPECT_EQ(project.error().path, path_.string());
-    line_ = project.error().line;
-    return project.error().message;
-  }
-
-  /// A painted cube as text.
-  std::string cube_text() {
-    Document document = opened("cube");
-    document.depths.set(3, 5);
-    EXPECT_TRUE(save_project(path_, document, ViewState{}));
-    return read_file(path_);
-  }
-
-  /// The cube's text with one piece of it replaced, and what loading it complains about.
-  std::string complaint_with(std::string_view piece, std::string_view other) {
-    std::string text = cube_text();
-    const std::size_t at = text.find(piece);
-    EXPECT_NE(at, std::string::npos) << piece;
-    return complaint(text.replace(at, piece.size(), other));
-  }
-
-  ScratchFolder folder_;
-  std::filesystem::path path_ = folder_ / "test.limn";
-  std::size_t line_ = 0;
-};
+using ProjectFile = test::ProjectFixture;
+using test::expect_same_document;
+using test::opened;
 
 TEST_F(ProjectFile, ComesBackAsItWas) {
   for (const std::string_view name : {"cube", "icosahedron", "mixed", "grid", "torus_open"}) {
@@ -159,86 +88,6 @@ TEST_F(ProjectFile, AwkwardNumbersComeBackBitForBit) {
     ASSERT_TRUE(loaded) << to_string(loaded.error());
     expect_same_document(document, loaded->document);
   }
-}
-
-TEST_F(ProjectFile, AttributesComeBackBitForBit) {
-  std::vector<test::NamedShape> shapes = test::creased_shapes();
-  for (test::NamedShape& shape : test::textured_shapes()) {
-    shapes.push_back(std::move(shape));
-  }
-  test::Random random(5);
-  const auto creased = test::with_random_creases(*test::mixed_prism(), 0.5, 0.5, random);
-  shapes.push_back({"random", test::with_random_charts(*creased, 3, random)});
-  for (const auto& [name, mesh] : shapes) {
-    SCOPED_TRACE(name);
-    Document document = make_document({mesh, {}}, name);
-    MeshAttributes smooth = mesh->attributes();
-    smooth.corners = CornerRule::kSmooth;
-    smooth.creases = {};
-    attributes_command(std::make_shared<const ControlMesh>(mesh->with_attributes(smooth)), "other")
-        ->apply(document);
-    ASSERT_TRUE(save_project(path_, document, std::nullopt));
-    EXPECT_THAT(read_file(path_), HasSubstr("\"version\": 2,"));
-    const Result<Project> loaded = load_project(path_);
-    ASSERT_TRUE(loaded) << to_string(loaded.error());
-    expect_same_document(document, loaded->document);
-  }
-}
-
-TEST_F(ProjectFile, WithoutAttributesItIsWrittenForOlderProgramsToo) {
-  EXPECT_THAT(cube_text(), HasSubstr("\"version\": 1,"));
-}
-
-TEST_F(ProjectFile, TheSavedBoundaryRuleWinsOverTheMeshs) {
-  MeshAttributes attributes;
-  attributes.corners = CornerRule::kSmooth;
-  const auto mesh = std::make_shared<const ControlMesh>(test::grid(2)->with_attributes(attributes));
-  Document document = make_document({mesh, {}}, "grid");
-  EXPECT_EQ(document.settings.corners, CornerRule::kSmooth);
-  document.settings.corners = CornerRule::kSharp;
-  ASSERT_TRUE(save_project(path_, document, std::nullopt));
-  EXPECT_EQ(load_project(path_).value().document.settings.corners, CornerRule::kSharp);
-}
-
-TEST_F(ProjectFile, NamesTheCulpritInTheAttributes) {
-  const auto with = [&](std::string_view members) {
-    return complaint_with("\"mesh\": {", "\"mesh\": {" + std::string(members) + ", ");
-  };
-  EXPECT_EQ(with("\"creases\": [[0, 1, 2.5]], \"corners\": [[7, 1]], \"creasing\": \"chaikin\", "
-                 "\"boundary_corners\": \"sharp\""),
-            "was loaded");
-  EXPECT_EQ(with("\"creases\": [], \"corners\": [], \"other\": 3"), "was loaded");
-  EXPECT_THAT(with("\"creases\": [[0, 1]]"), StartsWith("/mesh/creases/0: has 2 entries"));
-  EXPECT_THAT(with("\"creases\": [0, 1, 2]"), StartsWith("/mesh/creases/0: must be a list of two"));
-  EXPECT_THAT(with("\"creases\": 3"), StartsWith("/mesh/creases: must be a list"));
-  EXPECT_THAT(with("\"creases\": [[0, 8, 1]]"), StartsWith("/mesh/creases/0/1: "));
-  EXPECT_THAT(with("\"creases\": [[0, 1, 1], [0, 1.5, 1]]"), StartsWith("/mesh/creases/1/1: "));
-  EXPECT_THAT(with("\"creases\": [[-1, 1, 1]]"), StartsWith("/mesh/creases/0/0: "));
-  EXPECT_THAT(with("\"creases\": [[0, 1, -1]]"), StartsWith("/mesh/creases/0/2: must be a sharp"));
-  EXPECT_THAT(with("\"creases\": [[0, 1, \"inf\"]]"),
-              StartsWith("/mesh/creases/0/2: must be a num"));
-  EXPECT_THAT(with("\"creases\": [[0, 6, 1]]"), HasSubstr("is damaged"));  // No edge.
-  EXPECT_THAT(with("\"corners\": [[8, 1]]"), StartsWith("/mesh/corners/0/0: "));
-  EXPECT_THAT(with("\"corners\": [[1, 1e39]]"), StartsWith("/mesh/corners/0/1: "));
-  EXPECT_THAT(with("\"corners\": [[1, 1]], \"corners\": []"), HasSubstr("twice"));
-  EXPECT_THAT(with("\"creasing\": \"other\""), StartsWith("/mesh/creasing: must be one of"));
-  EXPECT_THAT(with("\"boundary_corners\": 1"), StartsWith("/mesh/boundary_corners: "));
-
-  const std::string faces =
-      "\"face_uvs\": [[0, 1, 2, 0], [0, 1, 2, 0], [0, 1, 2, 0], [0, 1, 2, 0], "
-      "[0, 1, 2, 0], [0, 1, 2, 0]]";
-  const std::string uvs = "\"uvs\": [[0, 0], [1, 0], [0, 1]]";
-  EXPECT_EQ(with(uvs + ", " + faces), "was loaded");
-  EXPECT_THAT(with(uvs), StartsWith("/mesh/face_uvs: is missing"));
-  EXPECT_THAT(with(faces), StartsWith("/mesh/uvs: is missing"));
-  EXPECT_THAT(with("\"uvs\": [[0, 0], [1, 0]], " + faces),
-              StartsWith("/mesh/face_uvs/0/2: there is no texture point 2; the mesh has 2."));
-  EXPECT_THAT(with("\"uvs\": [[0, 0], [1, 0], [0, -1e19]], " + faces),
-              StartsWith("/mesh/uvs/2/1: lies too far out"));
-  EXPECT_THAT(with("\"uvs\": [[0, 0], [1, 0, 0], [0, 1]], " + faces),
-              StartsWith("/mesh/uvs/1: has 3 coordinates"));
-  EXPECT_THAT(with(uvs + ", \"face_uvs\": [[0, 1, 2]]"),
-              StartsWith("/mesh/face_uvs: does not have a texture point for each corner"));
 }
 
 TEST_F(ProjectFile, KeepsTheOpenedMeshForRevert) {
