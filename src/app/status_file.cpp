@@ -66,6 +66,7 @@ Result<void> write_status_file(const std::filesystem::path& path, const Status& 
       {"view_projection", matrix_json(status.camera.view_projection)},
       {"view", {{"yaw", view.yaw}, {"pitch", view.pitch}, {"distance", view.distance}}},
       {"control_faces", document.control->face_count()},
+      {"crease_edges", session.model().statistics.crease_edges},
       {"depths",
        std::vector<int>(document.depths.values().begin(), document.depths.values().end())},
       {"stage", {{"legalised", document.stage.is_legalised}, {"levels", document.stage.levels}}},

@@ -49,8 +49,16 @@ Result<void> write_output(const RefineOptions& options, const Project& project,
       return save_project(options.output, document, view);
     });
   }
-  return derived.refinement ? write_mesh(options.output, *derived.refinement->mesh, document.depths)
-                            : write_mesh(options.output, *document.control, document.depths);
+  if (derived.refinement) {
+    return write_mesh(options.output, *derived.refinement->mesh, document.depths);
+  }
+  // The boundary rule is the document's, whatever the mesh came with.
+  MeshAttributes attributes = document.control->attributes();
+  if (!document.control->is_closed()) {
+    attributes.corners = document.settings.corners;
+  }
+  return write_mesh(options.output, document.control->with_attributes(std::move(attributes)),
+                    document.depths);
 }
 
 Result<void> refine_and_write(const RefineOptions& options) {

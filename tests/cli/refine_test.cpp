@@ -129,6 +129,19 @@ TEST(Refine, AFailedWriteLeavesTheOldFile) {
   EXPECT_THAT(run.err, HasSubstr("no/such/folder"));
 }
 
+TEST(Refine, WritesTheBoundaryRuleInForce) {
+  for (const char* levels : {"0", "1"}) {
+    const ProgramRun run = limn({"refine", "grid", "--paint", "all:+1", "--levels", levels,
+                                 "--corners", "smooth", "-o", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("\nt interpolateboundary 1/0/0 2\n"));
+    const ProgramRun again = limn({"refine", "-", "--levels", "0", "-o", "-"}, run.out);
+    EXPECT_THAT(again.out, HasSubstr("\nt interpolateboundary 1/0/0 2\n"));
+  }
+  const ProgramRun closed = limn({"refine", "cube", "--paint", "all:+1", "-o", "-"});
+  EXPECT_THAT(closed.out, testing::Not(HasSubstr("interpolateboundary")));
+}
+
 TEST(Refine, CreasesEdgesByRules) {
   const ProgramRun run = limn({"refine", "cube", "--levels", "0", "-o", "-", "--crease",
                                "angle>80:=2", "--crease", "creased:+0.5"});

@@ -64,6 +64,22 @@ TEST_F(Render, TheLegendCountsTheFacesOfEachDepth) {
                              "cli_legend"));
 }
 
+TEST_F(Render, CreasesHaveALegendOfTheirOwn) {
+  const Words creased = {"teapot",        "--crease", "angle>20:=0.5", "--crease",
+                         "angle>30:=2.5", "--crease", "angle>50:=inf", "--show",
+                         "control",       "--legend", "--light-theme"};
+  EXPECT_TRUE(matches_golden(picture(creased), "cli_creases"));
+}
+
+TEST_F(Render, NoCreasesLeavesThemOut) {
+  const render::Image plain = picture({"cube", "--show", "control"});
+  const Words creased = {"cube", "--show", "control", "--crease", "all:=2"};
+  EXPECT_FALSE(picture(creased) == plain);
+  Words without = creased;
+  without.emplace_back("--no-creases");
+  EXPECT_TRUE(picture(without) == plain);
+}
+
 TEST_F(Render, TeapotPaintedByDihedralAngle) {
   expect_before_and_after({"teapot", "--paint", "dihedral>25:+1", "--paint", "dihedral>45:+1"},
                           "cli_teapot_dihedral");

@@ -107,5 +107,22 @@ TEST(Surface, EmptyRefinedMeshIsAnEmptySurface) {
   EXPECT_EQ(surface.face_count(), 0U);
 }
 
+TEST(RefinedSurface, TakesTheLimitsNormals) {
+  RefinedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.quads = {{0, 1, 2, 3}};
+  mesh.face_control_faces = {0};
+  mesh.face_levels = {0};
+  const glm::vec3 up(0, 0, 1);
+  const glm::vec3 side(1, 0, 0);
+  EXPECT_THAT(make_surface(mesh, glm::dvec3(0), 1).normals, testing::Each(up));
+  mesh.normals = {side, side, side, side};
+  EXPECT_THAT(make_surface(mesh, glm::dvec3(0), 1).normals, testing::Each(side));
+  // Where the limit has no tangent plane the faces around have to do.
+  mesh.normals[2] = glm::vec3(0);
+  EXPECT_THAT(make_surface(mesh, glm::dvec3(0), 1).normals,
+              testing::ElementsAre(side, side, up, side));
+}
+
 }  // namespace
 }  // namespace limn::render

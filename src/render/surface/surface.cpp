@@ -79,6 +79,20 @@ void compute_normals(Surface& surface) {
   }
 }
 
+/// Normals of the limit surface, and averages over the faces where it has none.
+void take_normals(std::span<const glm::vec3> limit, Surface& surface) {
+  if (std::ranges::any_of(limit, [](const glm::vec3& n) { return n == glm::vec3(0.0F); })) {
+    compute_normals(surface);
+  } else {
+    surface.normals.resize(limit.size());
+  }
+  for (std::size_t v = 0; v < limit.size(); ++v) {
+    if (limit[v] != glm::vec3(0.0F)) {
+      surface.normals[v] = limit[v];
+    }
+  }
+}
+
 }  // namespace
 
 Surface make_surface(const ControlMesh& mesh) {
@@ -128,7 +142,11 @@ Surface make_surface(const RefinedMesh& mesh, const glm::dvec3& origin,
     surface.face_control_faces[f] = mesh.face_control_faces[source_faces[f]];
     surface.face_levels[f] = mesh.face_levels[source_faces[f]];
   }
-  compute_normals(surface);
+  if (mesh.normals.empty()) {
+    compute_normals(surface);
+  } else {
+    take_normals(mesh.normals, surface);
+  }
   return surface;
 }
 

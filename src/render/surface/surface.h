@@ -29,7 +29,8 @@ struct SurfaceGroup {
 struct Surface {
   glm::dvec3 origin{0.0};              ///< World position that `positions` are relative to.
   std::vector<glm::vec3> positions;    ///< V, mesh units.
-  std::vector<glm::vec3> normals;      ///< V, unit length, area-weighted over the faces around.
+  std::vector<glm::vec3> normals;      ///< V, unit length: of the limit surface where the mesh
+                                       ///< has them, else area-weighted over the faces around.
   std::vector<std::uint32_t> corners;  ///< C, vertices of each drawn face in order.
   std::vector<SurfaceGroup> groups;    ///< By ascending number of sides.
   std::vector<std::uint32_t> face_control_faces;    ///< F, the control face each lies in.
