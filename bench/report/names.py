@@ -20,7 +20,7 @@ BOUNDS = {
     "first_touch_4_kib": "fill fresh memory, 4 KiB pages",
 }
 
-LAYOUTS = {"patches": "twelve patches", "scattered": "scattered faces"}
+LAYOUTS = {"patches": "in twelve patches", "scattered": "scattered"}
 
 METHODS = {"greedy": "greedy", "look_ahead": "look-ahead"}
 

@@ -117,8 +117,7 @@ def series(results):
             points = [(int(case.path[3]),
                        case.nanoseconds_per_face / reference.nanoseconds_per_face)
                       for case in cases if int(case.path[2]) == percent] if reference else []
-            found.append((f"{percent} % in {words}" if layout == "patches"
-                          else f"{percent} % {words}", sorted(points)))
+            found.append((f"{percent} % {words}", sorted(points)))
     return [(name, points) for name, points in found if points]
 
 
