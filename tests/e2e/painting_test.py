@@ -8,7 +8,7 @@ import os
 import sys
 
 from program import Display, Folder, Program, count_in
-from scene import FaceImage, dihedral_angles, read_obj, read_png
+from scene import FaceImage, dihedral_angles, edge_angles, read_obj, read_png
 
 # The palette of the depths, as published: 0 clay, then lighter to darker.
 PALETTE = [(0xC8, 0xC4, 0xBD), (0xDB, 0xEF, 0x89), (0x74, 0xDA, 0x93), (0x09, 0xB9, 0xB1),
@@ -113,6 +113,21 @@ def raise_sharp(program, positions, faces):
     return after
 
 
+def crease_sharp(program, positions, faces):
+    """The same threshold creases edges; undone again, since it changes what is drawn."""
+    before = program.state
+    program.key("shift+j")
+    after = program.wait_for("edges are creased", lambda s: s["undo"].startswith("crease edges"))
+    threshold = after["dihedral_threshold"]
+    angles = [angle for _, angle in edge_angles(positions, faces)]
+    assert all(abs(angle - threshold) > 1e-6 for angle in angles)
+    expected = sum(angle > threshold for angle in angles)
+    assert after["crease_edges"] == expected > 0, (after["crease_edges"], expected)
+    assert after["depths"] == before["depths"], "the painting stays"
+    program.key("ctrl+z")
+    program.wait_for("they are smooth again", lambda s: s["crease_edges"] == 0)
+
+
 def check_colours(program, positions, faces):
     """Without light, wires and brush the control mesh shows the pure depth colours."""
     program.key("F2")
@@ -165,6 +180,7 @@ def main():
             orbit(program, FaceImage(positions, faces, state))
             raise_visible(program, positions, faces)
             painted = raise_sharp(program, positions, faces)["depths"]
+            crease_sharp(program, positions, faces)
 
             program.click(*program.item("Subdivide"))
             state = program.wait_for("it is subdivided",

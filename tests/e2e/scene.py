@@ -30,21 +30,27 @@ def newell_normal(positions, face):
     return x / length, y / length, z / length
 
 
-def dihedral_angles(positions, faces):
-    """For every face the largest angle, in degrees, between its normal and a neighbour's."""
+def edge_angles(positions, faces):
+    """For every edge between two faces those and the angle between their normals in degrees."""
     normals = [newell_normal(positions, face) for face in faces]
     beside = {}
     for f, face in enumerate(faces):
         for i, v in enumerate(face):
             beside.setdefault(frozenset((v, face[(i + 1) % len(face)])), []).append(f)
-    angles = [0.0] * len(faces)
+    angles = []
     for pair in beside.values():
         if len(pair) == 2:
-            a, b = pair
-            cosine = sum(p * q for p, q in zip(normals[a], normals[b]))
-            angle = math.degrees(math.acos(max(-1.0, min(1.0, cosine))))
-            angles[a] = max(angles[a], angle)
-            angles[b] = max(angles[b], angle)
+            cosine = sum(p * q for p, q in zip(normals[pair[0]], normals[pair[1]]))
+            angles.append((pair, math.degrees(math.acos(max(-1.0, min(1.0, cosine))))))
+    return angles
+
+
+def dihedral_angles(positions, faces):
+    """For every face the largest angle, in degrees, between its normal and a neighbour's."""
+    angles = [0.0] * len(faces)
+    for pair, angle in edge_angles(positions, faces):
+        for f in pair:
+            angles[f] = max(angles[f], angle)
     return angles
 
 
