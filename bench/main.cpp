@@ -1,7 +1,9 @@
 // limn_bench [--quick] [--mesh=FILE.obj:LEVELS...] [options of Google Benchmark]
 // Measures Limn and its peers in one program. scripts/bench.sh runs it and writes the report.
+#include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +63,23 @@ limn::Result<Arguments> read_arguments(int argc, char** argv) {
   return arguments;
 }
 
+/// A line for each case: its median.
+class MedianReporter final : public benchmark::ConsoleReporter {
+ public:
+  MedianReporter() : ConsoleReporter(OO_None) {}
+
+  void ReportRuns(const std::vector<Run>& runs) override {  // NOLINT: Google Benchmark's name.
+    std::vector<Run> medians;
+    std::ranges::copy_if(runs, std::back_inserter(medians), [](const Run& run) {
+      return run.run_type == Run::RT_Aggregate ? run.aggregate_name == "median"
+                                               : run.repetitions <= 1;
+    });
+    if (!medians.empty()) {
+      ConsoleReporter::ReportRuns(medians);
+    }
+  }
+};
+
 void register_all(const Arguments& arguments) {
   register_bounds(arguments.extent);
   register_agreement(arguments.extent);
@@ -96,7 +115,8 @@ int main(int argc, char** argv) {
   }
   describe_machine();
   register_all(*arguments);
-  benchmark::RunSpecifiedBenchmarks();
+  MedianReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
   return has_failed() ? 1 : 0;
 }
