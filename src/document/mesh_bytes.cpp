@@ -30,22 +30,31 @@ std::size_t halfedge_bytes(const HalfedgeMesh& mesh) {
          property_bytes(mesh.fprops_begin(), mesh.fprops_end());
 }
 
+std::size_t topology_bytes(const FlatTopology& topology) {
+  return array_bytes(topology.face_offsets) + array_bytes(topology.corner_vertices) +
+         array_bytes(topology.corner_edges) + array_bytes(topology.corner_faces) +
+         array_bytes(topology.edge_vertices) + array_bytes(topology.edge_corners) +
+         array_bytes(topology.corner_twins) + array_bytes(topology.vertex_offsets) +
+         array_bytes(topology.vertex_corners) + array_bytes(topology.corner_ranks) +
+         array_bytes(topology.quad_rings);
+}
+
 }  // namespace
 
 std::size_t attribute_bytes(const ControlMesh& mesh) {
-  return array_bytes(mesh.creases().edge_sharpness) + array_bytes(mesh.creases().vertex_sharpness) +
-         array_bytes(mesh.texture().values) + array_bytes(mesh.texture().corner_values);
+  std::size_t bytes =
+      array_bytes(mesh.creases().edge_sharpness) + array_bytes(mesh.creases().vertex_sharpness) +
+      array_bytes(mesh.texture().values) + array_bytes(mesh.texture().corner_values);
+  if (const TextureSurface* texture = mesh.texture_surface(); texture != nullptr) {
+    bytes += topology_bytes(texture->topology) + array_bytes(texture->points) +
+             array_bytes(texture->vertices) + array_bytes(texture->edges);
+  }
+  return bytes;
 }
 
 std::size_t mesh_bytes(const ControlMesh& mesh) {
-  const FlatTopology& topology = mesh.topology();
   return sizeof(ControlMesh) + attribute_bytes(mesh) + halfedge_bytes(mesh.halfedges()) +
-         mesh.positions().size_bytes() + array_bytes(topology.face_offsets) +
-         array_bytes(topology.corner_vertices) + array_bytes(topology.corner_edges) +
-         array_bytes(topology.corner_twins) + array_bytes(topology.edge_vertices) +
-         array_bytes(topology.edge_corners) + array_bytes(topology.vertex_offsets) +
-         array_bytes(topology.vertex_corners) + array_bytes(topology.corner_faces) +
-         array_bytes(topology.corner_twins) + array_bytes(topology.corner_ranks);
+         mesh.positions().size_bytes() + topology_bytes(mesh.topology());
 }
 
 }  // namespace limn

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "limn/contract.h"
+#include "mesh/flat_topology.h"
 
 namespace limn {
 namespace {
@@ -58,42 +59,6 @@ void flatten_edges(const HalfedgeMesh& mesh, const std::vector<std::uint32_t>& h
   }
 }
 
-void pair_corners(FlatTopology& flat) {
-  flat.corner_twins.assign(flat.corner_edges.size(), kNone);
-  for (const auto [one, other] : flat.edge_corners) {
-    if (other != kNone) {
-      flat.corner_twins[one] = other;
-      flat.corner_twins[other] = one;
-    }
-  }
-}
-
-void flatten_vertices(const HalfedgeMesh& mesh, const std::vector<std::uint32_t>& halfedge_corners,
-                      FlatTopology& flat) {
-  flat.vertex_offsets.reserve(mesh.n_vertices() + 1);
-  flat.vertex_offsets.push_back(0);
-  flat.vertex_corners.reserve(flat.corner_vertices.size());
-  for (const auto vertex : mesh.vertices()) {
-    LIMN_EXPECTS(!mesh.is_isolated(vertex));
-    // At a boundary vertex OpenMesh starts with the half-edge that has no face, so that what
-    // follows runs from one boundary edge to the other.
-    for (const auto halfedge : mesh.voh_ccw_range(vertex)) {
-      if (const std::uint32_t corner = halfedge_corners[index_of(halfedge)]; corner != kNone) {
-        flat.vertex_corners.push_back(corner);
-      }
-    }
-    flat.vertex_offsets.push_back(static_cast<std::uint32_t>(flat.vertex_corners.size()));
-  }
-  // A vertex with several fans of faces would have left corners out.
-  LIMN_EXPECTS(flat.vertex_corners.size() == flat.corner_vertices.size());
-  flat.corner_ranks.resize(flat.corner_vertices.size());
-  for (std::size_t v = 0; v + 1 < flat.vertex_offsets.size(); ++v) {
-    for (std::uint32_t i = flat.vertex_offsets[v]; i < flat.vertex_offsets[v + 1]; ++i) {
-      flat.corner_ranks[flat.vertex_corners[i]] = i - flat.vertex_offsets[v];
-    }
-  }
-}
-
 }  // namespace
 
 glm::dvec3 Bounds::centre() const noexcept {
@@ -111,8 +76,7 @@ ControlMesh::ControlMesh(HalfedgeMesh mesh, MeshAttributes attributes) {
   const HalfedgeMesh& halfedges = surface->halfedges;
   const std::vector<std::uint32_t> halfedge_corners = flatten_faces(halfedges, topology);
   flatten_edges(halfedges, halfedge_corners, topology);
-  pair_corners(topology);
-  flatten_vertices(halfedges, halfedge_corners, topology);
+  detail::complete_topology(topology, halfedges.n_vertices());
 
   surface->positions.reserve(halfedges.n_vertices());
   for (const auto vertex : halfedges.vertices()) {
@@ -143,6 +107,10 @@ ControlMesh::ControlMesh(std::shared_ptr<const Surface> surface, MeshAttributes 
   LIMN_EXPECTS(fits(creases().edge_sharpness, edge_count()));
   LIMN_EXPECTS(fits(creases().vertex_sharpness, vertex_count()));
   LIMN_EXPECTS(fits(texture().corner_values, topology().corner_vertices.size()));
+  if (!texture().empty()) {
+    texture_surface_ =
+        std::make_shared<const TextureSurface>(make_texture_surface(topology(), texture()));
+  }
 }
 
 ControlMesh ControlMesh::with_attributes(MeshAttributes attributes) const {

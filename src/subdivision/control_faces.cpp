@@ -19,8 +19,12 @@ struct ControlSide {
 
 /// Whether the face point makes the midpoint of a side with greatest label 1 move once more.
 bool lifts(const RefinementPlan& plan, std::uint32_t corner) {
-  return corner != kNone &&
-         face_point_label(FaceLabels(plan.cage, plan.labels, plan.cage.face_of(corner))) > 0;
+  if (corner == kNone) {
+    return false;
+  }
+  // A positive face point needs a label beyond 1 at both ends of another side.
+  const std::uint32_t f = plan.cage.face_of(corner);
+  return plan.greatest[f] > 1 && face_point_label(FaceLabels(plan.cage, plan.labels, f)) > 0;
 }
 
 ControlSide side_at(const RefinementPlan& plan, std::uint32_t corner) {
@@ -50,10 +54,9 @@ void refine_quad(const RefinementPlan& plan, std::uint32_t f, const RefinedArray
   Node node;
   for (std::uint32_t i = 0; i < 4; ++i) {
     node.corners[i] = cage.topology->corner_vertices[first + i];
-    node.labels[i] = plan.labels[node.corners[i]];
   }
   node.quad = plan.numbering->first_face(f);
-  if ((node.labels[0] | node.labels[1] | node.labels[2] | node.labels[3]) == 0) {
+  if (plan.greatest[f] == 0) {
     arrays.quads[node.quad] = node.corners;
     if (arrays.face_levels != nullptr) {
       arrays.face_control_faces[node.quad] = f;
@@ -63,6 +66,7 @@ void refine_quad(const RefinementPlan& plan, std::uint32_t f, const RefinedArray
   }
   node.inside = plan.numbering->first_inside(f);
   for (std::uint32_t i = 0; i < 4; ++i) {
+    node.labels[i] = plan.labels[node.corners[i]];
     const ControlSide side = side_at(plan, first + i);
     node.sides[i] = side.run;
     node.owned_sides |= bit(i, side.is_own);
@@ -210,7 +214,8 @@ class PolygonRefinement {
 }  // namespace
 
 void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                            const RefinedArrays& arrays, LargeArray<std::uint32_t>& owners) {
+                            std::span<const std::uint8_t> greatest, const RefinedArrays& arrays,
+                            LargeArray<std::uint32_t>& owners) {
   owners.resize(cage.vertex_count());
   const FlatTopology& topology = *cage.topology;
   sweep.each(cage.vertex_count(), [&](std::size_t i) {
@@ -221,7 +226,8 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
       return;
     }
     const auto moves = [&](std::uint32_t corner) {
-      return (labels[topology.corner_vertices[cage.next(corner)]] |
+      return greatest[cage.face_of(corner)] > 0 &&
+             (labels[topology.corner_vertices[cage.next(corner)]] |
               labels[topology.corner_vertices[cage.previous(corner)]]) != 0;
     };
     const auto mover = std::ranges::find_if(fan.corners, moves);
@@ -237,7 +243,7 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
 void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays) {
   if (plan.cage.side_count(f) == 4) {
     refine_quad(plan, f, arrays);
-  } else if (const FaceLabels labels(plan.cage, plan.labels, f); labels[0] > 0) {
+  } else if (plan.greatest[f] > 0) {
     PolygonRefinement(plan, f, arrays).run();
   }
 }

@@ -17,6 +17,7 @@ namespace limn {
 struct RefinementPlan {
   Cage cage;
   std::span<const std::uint8_t> labels;
+  std::span<const std::uint8_t> greatest;  ///< Label of each face.
   const Numbering* numbering = nullptr;
   const RingTables* rings = nullptr;
   std::span<const std::uint32_t>
@@ -26,7 +27,8 @@ struct RefinementPlan {
 /// For each vertex of the cage the corner whose face writes it; vertices that never move are
 /// written at once.
 void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                            const RefinedArrays& arrays, LargeArray<std::uint32_t>& owners);
+                            std::span<const std::uint8_t> greatest, const RefinedArrays& arrays,
+                            LargeArray<std::uint32_t>& owners);
 
 /// Writes everything that becomes of face f. Polygons that stay are left to the caller.
 void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays);

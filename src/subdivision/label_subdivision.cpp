@@ -84,6 +84,7 @@ void write_polygon(const RefinementPlan& plan, std::uint32_t f, RefinedMesh& res
 
 struct Refiner::Workspace {
   LargeArray<std::uint8_t> labels;
+  LargeArray<std::uint8_t> greatest;
   LargeArray<std::uint32_t> vertex_owners;
   Numbering numbering;
   RingTables rings;
@@ -109,7 +110,7 @@ void Refiner::Workspace::refine_faces(Sweep& sweep, const RefinementPlan& plan,
   const std::size_t grain = std::max<std::size_t>(1, std::min(kFaceGrain, slab / 16));
   sweep.ranges(faces, slab, grain, 1, [&](std::size_t begin, std::size_t end) {
     for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
-      if (plan.cage.side_count(f) == 4 || FaceLabels(plan.cage, plan.labels, f)[0] > 0) {
+      if (plan.cage.side_count(f) == 4 || plan.greatest[f] > 0) {
         refine_face(plan, f, arrays);
       } else {
         write_polygon(plan, f, result);
@@ -133,14 +134,15 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
 
   result.origin = origin_of(mesh.bounds());
   const Cage cage = cage_of(mesh, settings.corners, result.origin);
-  const RefinedCounts counts = work.numbering.build(sweep, cage, work.labels);
+  find_greatest_labels(sweep, cage, work.labels, work.greatest);
+  const RefinedCounts counts = work.numbering.build(sweep, cage, work.labels, work.greatest);
   if (sweep.is_cancelled()) {
     return cancelled();
   }
   if (counts.quads + counts.polygons > budget) {
     return over_budget(counts.quads + counts.polygons, budget);
   }
-  work.rings.build(sweep, cage, work.labels);
+  work.rings.build(sweep, cage, work.greatest);
   if (sweep.is_cancelled()) {
     return cancelled();
   }
@@ -148,11 +150,12 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
   const RefinedArrays arrays{&result.positions.data()->x,      3,
                              result.vertex_levels.data(),      result.quads.data(),
                              result.face_control_faces.data(), result.face_levels.data()};
-  place_resting_vertices(sweep, cage, work.labels, arrays, work.vertex_owners);
+  place_resting_vertices(sweep, cage, work.labels, work.greatest, arrays, work.vertex_owners);
 
   sweep.begin_stage("Refining", 0.1, 1.0, mesh.face_count());
-  work.refine_faces(sweep, {cage, work.labels, &work.numbering, &work.rings, work.vertex_owners},
-                    arrays, result);
+  work.refine_faces(
+      sweep, {cage, work.labels, work.greatest, &work.numbering, &work.rings, work.vertex_owners},
+      arrays, result);
   if (sweep.is_cancelled()) {
     return cancelled();
   }

@@ -30,13 +30,6 @@ void for_each_own_edge(const Cage& cage, std::size_t f, const Visit& visit) {
   }
 }
 
-bool is_zero(const FaceLabels& labels) {
-  if (labels.size() != 4) {
-    return labels[0] == 0;  // The labels of a face that is no quad are positive throughout or not
-  }                         // at all.
-  return (labels[0] | labels[1] | labels[2] | labels[3]) == 0;
-}
-
 FaceCounts counts_of(const FaceLabels& labels) {
   const LabelCounts& table = LabelCounts::table();
   if (labels.size() != 4) {
@@ -47,11 +40,9 @@ FaceCounts counts_of(const FaceLabels& labels) {
   return counts;
 }
 
+/// Of a face with a positive label.
 Sizes sizes_of(const Cage& cage, std::span<const std::uint8_t> all, std::size_t f) {
   const FaceLabels labels(cage, all, f);
-  if (is_zero(labels)) {
-    return labels.size() == 4 ? Sizes{1, 0, 0, 0} : Sizes{0, 0, 1, labels.size()};
-  }
   const FaceCounts counts = counts_of(labels);
   Sizes sizes{counts.quads, counts.inside, 0, 0};
   for_each_own_edge(cage, f, [&](std::uint32_t, std::uint32_t side) {
@@ -62,8 +53,21 @@ Sizes sizes_of(const Cage& cage, std::span<const std::uint8_t> all, std::size_t 
 
 }  // namespace
 
-RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
-                               std::span<const std::uint8_t> labels) {
+void find_greatest_labels(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
+                          LargeArray<std::uint8_t>& greatest) {
+  greatest.resize(cage.face_count());
+  sweep.each(cage.face_count(), [&](std::size_t f) {
+    const FaceLabels face(cage, labels, f);
+    std::uint8_t most = 0;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      most = std::max(most, face[i]);
+    }
+    greatest[f] = most;
+  });
+}
+
+RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
+                               std::span<const std::uint8_t> greatest) {
   const std::size_t faces = cage.face_count();
   faces_.resize(faces);
   insides_.resize(faces);
@@ -71,16 +75,23 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
   polygon_sides_.resize(cage.is_all_quads ? 0 : faces);
 
   const Sizes start{0, cage.vertex_count(), 0, 0};
-  const auto sizes = [&](std::size_t f) { return sizes_of(cage, labels, f); };
+  const auto sizes = [&](std::size_t f) {
+    if (greatest[f] > 0) {
+      return sizes_of(cage, labels, f);
+    }
+    const std::uint32_t n = cage.side_count(f);
+    return n == 4 ? Sizes{1, 0, 0, 0} : Sizes{0, 0, 1, n};
+  };
   const Sizes ends = sweep.number(faces, start, sizes, [&](std::size_t f, const Sizes& first) {
-    const FaceLabels face(cage, labels, f);
-    if (is_zero(face)) {
-      faces_[f] = static_cast<std::uint32_t>(first[face.size() == 4 ? kQuads : kPolygons]);
-      if (face.size() != 4) {
+    if (greatest[f] == 0) {
+      const bool is_quad = cage.side_count(f) == 4;
+      faces_[f] = static_cast<std::uint32_t>(first[is_quad ? kQuads : kPolygons]);
+      if (!is_quad) {
         polygon_sides_[f] = static_cast<std::uint32_t>(first[kPolygonSides]);
       }
       return;
     }
+    const FaceLabels face(cage, labels, f);
     faces_[f] = static_cast<std::uint32_t>(first[kQuads]);
     std::uint64_t vertex = first[kVertices];
     for_each_own_edge(cage, f, [&](std::uint32_t edge, std::uint32_t side) {

@@ -11,6 +11,10 @@
 // folder.
 namespace limn {
 
+/// The greatest label at the corners of each face: 0 where it stays as it is.
+void find_greatest_labels(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
+                          LargeArray<std::uint8_t>& greatest);
+
 /// Totals of a refinement.
 struct RefinedCounts {
   std::uint64_t quads = 0;
@@ -24,9 +28,10 @@ struct RefinedCounts {
 /// face.
 class Numbering {
  public:
-  /// Labels as the refinement sees them, one per vertex of the cage, legal. Arrays of an earlier
-  /// build are used again.
-  RefinedCounts build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels);
+  /// Labels as the refinement sees them, one per vertex of the cage, legal; `greatest` of each
+  /// face. Arrays of an earlier build are used again.
+  RefinedCounts build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
+                      std::span<const std::uint8_t> greatest);
 
   /// First quad of a face; where it is a polygon that stays, its number among these.
   [[nodiscard]] std::uint32_t first_face(std::size_t f) const noexcept { return faces_[f]; }

@@ -32,6 +32,7 @@ class PatchWriter {
 
  private:
   void write_uniform(const Node& node, const GridView& grid) const;
+  void write_last(const Node& node, const GridView& grid) const;
   void write_uniform_quads(const Node& node, std::size_t n) const;
   void write_split(const Node& node, const GridView& grid) const;
   void write_y(const Node& node, const GridView& grid) const;
@@ -109,7 +110,11 @@ void PatchWriter::put_quad(std::uint32_t at, const std::array<std::uint32_t, 4>&
 void PatchWriter::write(const Node& node, const GridView& grid) const {
   const auto [a, b, c, d] = node.labels;
   if (a == b && b == c && c == d && a > 0 && a <= kGridLevels) {
-    write_uniform(node, grid);
+    if (a == 1) {
+      write_last(node, grid);
+    } else {
+      write_uniform(node, grid);
+    }
     return;
   }
   switch (std::ranges::count_if(node.labels, [](std::uint8_t label) { return label > 0; })) {
@@ -336,6 +341,32 @@ void PatchWriter::write_uniform_quads(const Node& node, std::size_t n) const {
     std::fill_n(arrays_->face_control_faces + node.quad, n * n, control_face_);
     std::fill_n(arrays_->face_levels + node.quad, n * n,
                 static_cast<std::uint8_t>(node.level + node.labels[0]));
+  }
+}
+
+/// A uniform node of one level: four quads, and five points at most.
+void PatchWriter::write_last(const Node& node, const GridView& grid) const {
+  const PatchGrid last = around(node, grid);
+  std::array<std::uint32_t, 4> middles;
+  for (std::size_t i = 0; i < 4; ++i) {
+    middles[i] = node.sides[i].first;
+    if (has(node.owned_sides, i)) {
+      arrays_->put(middles[i], step_down_middle(*patch_, last, i), node.level + 1);
+    }
+    if (has(node.owned_corners, i)) {
+      arrays_->put(node.corners[i], step_down_corner(*patch_, last, i), node.level + 1);
+    }
+  }
+  arrays_->put(node.inside, centroid(grid), node.level + 1);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::size_t after = (i + 1) % 4;
+    const std::size_t before = (i + 3) % 4;
+    std::array<std::uint32_t, 4> quad;
+    quad[i] = node.corners[i];
+    quad[after] = middles[i];
+    quad[(i + 2) % 4] = node.inside;
+    quad[before] = middles[before];
+    put_quad(node.quad + i, quad, node.level + 1);
   }
 }
 

@@ -1,6 +1,6 @@
-// A regular corner of valence 4 tells the three ring points beside it: the ends of the two edges
-// that the patch does not have, and what lies opposite between them. At an irregular one the ring
-// tables take over from level 1 on, and only the points that neighbouring faces share matter.
+// Around a regular quad the twelve vertices of its ring complete the grid. At an irregular corner
+// the ring tables take over from level 1 on, and only the points that neighbouring faces share
+// matter.
 #include "subdivision/patch_gather.h"
 
 #include "subdivision/sharpness.h"
@@ -73,24 +73,24 @@ void gather_quad(const Cage& cage, const RingTables& rings, std::uint32_t f, Pat
   if (patch.is_bilinear) {
     return;
   }
+  const std::array<std::uint32_t, 12>& ring = topology.quad_rings[f];
+  bool is_regular = cage.creases->edge_sharpness.empty();
   for (std::uint32_t i = 0; i < 4; ++i) {
-    const std::uint32_t corner = first + i;
-    const std::uint32_t v = topology.corner_vertices[corner];
     const CornerPlaces& places = kPlaces[i];
-    const Fan fan = fan_of(cage, v);
-    const std::size_t rank = topology.corner_ranks[corner];
-    const auto point_of = [&](std::uint32_t c) { return cage.point(topology.corner_vertices[c]); };
-    const Point& here = patch.grid[places.corner];
-    const std::uint32_t across = fan.at(rank, -1);
-    patch.grid[places.before] = across == kNone ? here : point_of(cage.next(across));
-    const std::uint32_t beside = fan.at(rank, 1);
-    patch.grid[places.after] = beside == kNone ? here : point_of(cage.previous(beside));
-    patch.grid[places.diagonal] = here;
-    patch.sides[i] = side_of(cage, rings, corner, i);
-    patch.corners[i] = corner_of(cage, rings, corner);
-    if (!fan.is_boundary && fan.corners.size() == 4) {
-      patch.grid[places.diagonal] = point_of(cage.next(cage.next(fan.at(rank, 2))));
-    }
+    const auto put = [&](std::size_t at, std::uint32_t v) {
+      patch.grid[at] = v == kNone ? patch.grid[places.corner] : cage.point(v);
+    };
+    put(places.before, ring[3 * i]);
+    put(places.after, ring[3 * i + 1]);
+    put(places.diagonal, ring[3 * i + 2]);
+    is_regular = is_regular && ring[3 * i + 2] != kNone;
+  }
+  if (is_regular && cage.creases->vertex_sharpness.empty()) {
+    return;  // Four corners of valence 4 amid quads: no boundary, nothing sharp.
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    patch.sides[i] = side_of(cage, rings, first + i, i);
+    patch.corners[i] = corner_of(cage, rings, first + i);
   }
   for (std::uint32_t i = 0; i < 4 && !cage.is_all_quads; ++i) {
     const std::uint32_t twin = topology.corner_twins[first + i];

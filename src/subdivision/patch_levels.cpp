@@ -153,6 +153,26 @@ void step_down_side(const Patch& patch, const PatchGrid& from, std::size_t side,
   std::copy_n(points.data() + 1, 2 * n + 1, out);
 }
 
+Point step_down_middle(const Patch& patch, const PatchGrid& from, std::size_t i) {
+  if (patch.is_bilinear || (has(from.patch_sides, i) && patch.sides[i].kind != SideKind::kOpen)) {
+    std::array<Point, 4> line;
+    step_down_side(patch, from, i, line.data());
+    return line[1];
+  }
+  const GridLine line = side_line(from.grid, i);
+  const Point* here = line.points + line.along;
+  const auto column = [across = static_cast<std::ptrdiff_t>(line.across)](const Point* p) {
+    return curve_vertex_point(p[-across], *p, p[across]);
+  };
+  return curve_edge_point(column(here), column(here + line.along));
+}
+
+Point centroid(const GridView& grid) {
+  const Point* row = grid.points + grid.stride;
+  return curve_edge_point(curve_edge_point(row[1], row[grid.stride + 1]),
+                          curve_edge_point(row[2], row[grid.stride + 2]));
+}
+
 Point step_down_corner(const Patch& patch, const PatchGrid& from, std::size_t i) {
   const PatchCorner& corner = patch.corners[i];
   if (!patch.is_bilinear && has(from.patch_corners, i) && corner.ring.exists()) {

@@ -23,6 +23,10 @@ void step_down(const Patch& patch, const PatchGrid& from, Point* out);
 /// which the corners' do not count. `out` has room for 2 n + 2.
 void step_down_side(const Patch& patch, const PatchGrid& from, std::size_t side, Point* out);
 
+/// The midpoint of side i of a single face (n = 1), and the face's own.
+[[nodiscard]] Point step_down_middle(const Patch& patch, const PatchGrid& from, std::size_t i);
+[[nodiscard]] Point centroid(const GridView& grid);
+
 /// Corner i one level down.
 [[nodiscard]] Point step_down_corner(const Patch& patch, const PatchGrid& from, std::size_t i);
 

@@ -27,17 +27,6 @@ bool is_irregular(const Cage& cage, std::uint32_t v, const Fan& fan) {
   return false;
 }
 
-std::uint8_t greatest_label(const Cage& cage, std::span<const std::uint8_t> labels,
-                            std::uint32_t f) {
-  std::uint8_t greatest = 0;
-  const std::uint32_t first = cage.first_corner(f);
-  const std::uint32_t n = cage.side_count(f);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    greatest = std::max(greatest, labels[cage.topology->corner_vertices[first + i]]);
-  }
-  return greatest;
-}
-
 /// Level 0 around a vertex of the cage.
 void seed(VertexRing& ring, const Cage& cage, const RingTables& tables, std::uint32_t v) {
   const FlatTopology& topology = *cage.topology;
@@ -67,24 +56,21 @@ VertexRing& ring_of_this_thread() {
 
 }  // namespace
 
-void RingTables::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels) {
+void RingTables::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest) {
   const std::size_t vertices = cage.vertex_count();
   const std::size_t polygons = cage.is_all_quads ? 0 : cage.face_count();
-  build_centroids(sweep, cage, labels);
+  build_centroids(sweep, cage, greatest);
   rows_.build(cage);
 
   vertex_levels_.resize(vertices);
   sweep.each(vertices, [&](std::size_t v) {
     const Fan fan = fan_of(cage, static_cast<std::uint32_t>(v));
     std::uint8_t levels = 0;
-    if (is_irregular(cage, static_cast<std::uint32_t>(v), fan)) {
-      for (const std::uint32_t corner : fan.corners) {
-        const std::uint32_t f = cage.face_of(corner);
-        levels = std::max(
-            levels, cage.side_count(f) == 4 ? greatest_label(cage, labels, f) : face_levels_[f]);
-      }
+    for (const std::uint32_t corner : fan.corners) {
+      levels = std::max(levels, greatest[cage.face_of(corner)]);
     }
-    vertex_levels_[v] = levels;
+    const bool has_ring = levels > 0 && is_irregular(cage, static_cast<std::uint32_t>(v), fan);
+    vertex_levels_[v] = has_ring ? levels : std::uint8_t{0};
   });
   number_points(sweep, cage);
   sweep.each(vertices, [&](std::size_t v) { run_vertex(cage, static_cast<std::uint32_t>(v)); });
@@ -92,7 +78,7 @@ void RingTables::build(Sweep& sweep, const Cage& cage, std::span<const std::uint
 }
 
 void RingTables::build_centroids(Sweep& sweep, const Cage& cage,
-                                 std::span<const std::uint8_t> labels) {
+                                 std::span<const std::uint8_t> greatest) {
   const std::size_t polygons = cage.is_all_quads ? 0 : cage.face_count();
   face_levels_.resize(polygons);
   centroids_.resize(polygons);
@@ -100,7 +86,7 @@ void RingTables::build_centroids(Sweep& sweep, const Cage& cage,
     const auto f = static_cast<std::uint32_t>(i);
     face_levels_[f] = 0;
     if (cage.side_count(f) != 4) {
-      face_levels_[f] = greatest_label(cage, labels, f);
+      face_levels_[f] = greatest[f];
       centroids_[f] = cage.centroid(f);
     }
   });

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "limn/mesh/large_array.h"
-#include "limn/subdivision/labels.h"
 #include "subdivision/cage.h"
 #include "subdivision/crease_rows.h"
 #include "subdivision/sweep.h"
@@ -47,8 +46,8 @@ class RingView {
 /// ends of sharp edges, and sharp vertices.
 class RingTables {
  public:
-  /// Labels as the refinement sees them. Arrays of an earlier build are used again.
-  void build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels);
+  /// From the greatest label of each face. Arrays of an earlier build are used again.
+  void build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest);
 
   /// The ring around vertex v; none where v is regular or nothing around it is refined.
   [[nodiscard]] RingView of_vertex(const Cage& cage, std::uint32_t v) const noexcept;
@@ -66,7 +65,7 @@ class RingTables {
   }
 
  private:
-  void build_centroids(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels);
+  void build_centroids(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest);
   void number_points(Sweep& sweep, const Cage& cage);
   void run_vertex(const Cage& cage, std::uint32_t v);
   void run_face(const Cage& cage, std::uint32_t f);

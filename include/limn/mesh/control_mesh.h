@@ -11,13 +11,11 @@
 #include <glm/vec3.hpp>
 
 #include "limn/mesh/creases.h"
+#include "limn/mesh/flat_topology.h"
 #include "limn/mesh/halfedge_mesh.h"
 #include "limn/mesh/texture_coordinates.h"
 
 namespace limn {
-
-/// "No such element" in arrays of indices: the missing face beyond a boundary edge.
-inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// Axis-aligned bounds in mesh units.
 struct Bounds {
@@ -27,27 +25,6 @@ struct Bounds {
   [[nodiscard]] glm::dvec3 centre() const noexcept;
   /// Length of the diagonal: the unit in which deviations are reported.
   [[nodiscard]] double diagonal() const noexcept;
-};
-
-/// The half-edge mesh once more as flat arrays, for loops that must run at the speed of memory.
-///
-/// V vertices, E edges, F faces, C = sum of face sides corners. A corner is a (face, side) pair;
-/// corner `face_offsets[f] + i` stands at the i-th vertex of face f and names the edge from there
-/// to the next vertex.
-struct FlatTopology {
-  std::vector<std::uint32_t> face_offsets;     ///< F + 1, prefix sums of face sides.
-  std::vector<std::uint32_t> corner_vertices;  ///< C, counter-clockwise.
-  std::vector<std::uint32_t> corner_edges;     ///< C, edge from this corner to the next.
-  std::vector<std::uint32_t> corner_twins;     ///< C, the corner on the other side of that edge, or
-                                               ///< kNone on a boundary.
-  std::vector<std::array<std::uint32_t, 2>> edge_vertices;  ///< E.
-  std::vector<std::array<std::uint32_t, 2>> edge_corners;   ///< E, second is kNone on a boundary.
-  std::vector<std::uint32_t> vertex_offsets;                ///< V + 1, prefix sums of faces around.
-  std::vector<std::uint32_t>
-      vertex_corners;  ///< C, corners around each vertex, counter-clockwise;
-                       ///< at a boundary vertex from one boundary edge to the other.
-  std::vector<std::uint32_t> corner_faces;  ///< C, the face a corner belongs to.
-  std::vector<std::uint32_t> corner_ranks;  ///< C, its place in `vertex_corners` of its vertex.
 };
 
 /// What a control mesh carries besides its surface.
@@ -96,6 +73,10 @@ class ControlMesh {
   [[nodiscard]] const MeshAttributes& attributes() const noexcept { return attributes_; }
   [[nodiscard]] const Creases& creases() const noexcept { return attributes_.creases; }
   [[nodiscard]] const TextureCoordinates& texture() const noexcept { return attributes_.texture; }
+  /// The texture coordinates as a mesh of their own; null where there are none.
+  [[nodiscard]] const TextureSurface* texture_surface() const noexcept {
+    return texture_surface_.get();
+  }
 
  private:
   struct Surface {
@@ -111,6 +92,7 @@ class ControlMesh {
 
   std::shared_ptr<const Surface> surface_;
   MeshAttributes attributes_;
+  std::shared_ptr<const TextureSurface> texture_surface_;
 };
 
 }  // namespace limn
