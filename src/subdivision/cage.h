@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <span>
 
-#include <glm/vec3.hpp>
-
 #include "limn/mesh/control_mesh.h"
 #include "limn/subdivision/settings.h"
 #include "subdivision/point.h"
@@ -24,9 +22,8 @@ enum class Averaging {
 /// boundaries. Faces and corners are the control mesh's in both.
 struct Cage {
   const FlatTopology* topology = nullptr;
-  std::span<const glm::dvec3> points;  ///< One per vertex of the topology.
-  const Creases* creases = nullptr;    ///< For its edges and vertices.
-  glm::dvec3 origin{0.0};              ///< Subtracted from every point.
+  std::span<const Point> points;     ///< One per vertex of the topology.
+  const Creases* creases = nullptr;  ///< For its edges and vertices.
   Averaging averaging = Averaging::kSmooth;
   CornerRule corners = CornerRule::kSharp;
   bool is_all_quads = false;
@@ -35,7 +32,7 @@ struct Cage {
     return topology->face_offsets.size() - 1;
   }
   [[nodiscard]] std::size_t vertex_count() const noexcept { return points.size(); }
-  [[nodiscard]] Point point(std::size_t v) const noexcept { return to_point(points[v] - origin); }
+  [[nodiscard]] const Point& point(std::size_t v) const noexcept { return points[v]; }
   [[nodiscard]] float edge_sharpness(std::size_t e) const noexcept {
     return creases->edge_sharpness.empty() ? 0.0f : creases->edge_sharpness[e];
   }
@@ -100,13 +97,6 @@ struct Fan {
   const std::uint32_t* corners = topology.vertex_corners.data() + first;
   return {{corners, topology.vertex_offsets[v + 1] - first},
           topology.corner_twins[corners[0]] == kNone};
-}
-
-/// The control mesh itself.
-[[nodiscard]] inline Cage cage_of(const ControlMesh& mesh, CornerRule corners,
-                                  const glm::dvec3& origin) noexcept {
-  return {&mesh.topology(),   mesh.positions(), &mesh.creases(),    origin,
-          Averaging::kSmooth, corners,          mesh.is_all_quads()};
 }
 
 }  // namespace limn

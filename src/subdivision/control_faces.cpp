@@ -27,10 +27,10 @@ bool lifts(const RefinementPlan& plan, std::uint32_t corner) {
   return plan.greatest[f] > 1 && face_point_label(FaceLabels(plan.cage, plan.labels, f)) > 0;
 }
 
-ControlSide side_at(const RefinementPlan& plan, std::uint32_t corner) {
+/// The side that leaves a corner; a and b are the labels at its ends.
+ControlSide side_at(const RefinementPlan& plan, std::uint32_t corner, std::uint8_t a,
+                    std::uint8_t b) {
   const FlatTopology& topology = *plan.cage.topology;
-  const std::uint8_t a = plan.labels[topology.corner_vertices[corner]];
-  const std::uint8_t b = plan.labels[topology.corner_vertices[plan.cage.next(corner)]];
   ControlSide side;
   if (a == 0 && b == 0) {
     return side;
@@ -41,8 +41,9 @@ ControlSide side_at(const RefinementPlan& plan, std::uint32_t corner) {
   if (corner != first) {
     side.run = {side.run.first + LabelCounts::table().edge(a, b) - 1, 0u - 1u};
   }
-  const bool by_first = std::max(a, b) == 1 && lifts(plan, first);
-  const bool by_second = std::max(a, b) == 1 && lifts(plan, second);
+  const bool may_lift = std::max(a, b) == 1 && plan.greatest_of_all > 1;
+  const bool by_first = may_lift && lifts(plan, first);
+  const bool by_second = may_lift && lifts(plan, second);
   side.is_own = (corner == first) != (by_second && !by_first);
   side.is_lifted = side.is_own && (by_first || by_second);
   return side;
@@ -67,7 +68,9 @@ void refine_quad(const RefinementPlan& plan, std::uint32_t f, const RefinedArray
   node.inside = plan.numbering->first_inside(f);
   for (std::uint32_t i = 0; i < 4; ++i) {
     node.labels[i] = plan.labels[node.corners[i]];
-    const ControlSide side = side_at(plan, first + i);
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const ControlSide side = side_at(plan, first + i, node.labels[i], node.labels[(i + 1) % 4]);
     node.sides[i] = side.run;
     node.owned_sides |= bit(i, side.is_own);
     node.lifted_sides |= bit(i, side.is_lifted);
@@ -131,7 +134,7 @@ class PolygonRefinement {
     const LabelCounts& counts = LabelCounts::table();
     const auto n = static_cast<std::uint32_t>(labels_.size());
     const std::uint32_t after = i + 1 == n ? 0 : i + 1;
-    const ControlSide control = side_at(*plan_, first_ + i);
+    const ControlSide control = side_at(*plan_, first_ + i, labels_[i], labels_[after]);
     PolygonSide side;
     side.label = edge_point_label(labels_[i], labels_[after]);
     const std::uint32_t half = counts.edge(lowered(labels_[i]), side.label);
@@ -243,7 +246,7 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
 void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays) {
   if (plan.cage.side_count(f) == 4) {
     refine_quad(plan, f, arrays);
-  } else if (plan.greatest[f] > 0) {
+  } else {
     PolygonRefinement(plan, f, arrays).run();
   }
 }

@@ -18,10 +18,16 @@ struct RefinementPlan {
   Cage cage;
   std::span<const std::uint8_t> labels;
   std::span<const std::uint8_t> greatest;  ///< Label of each face.
+  std::uint8_t greatest_of_all = 0;
   const Numbering* numbering = nullptr;
   const RingTables* rings = nullptr;
   std::span<const std::uint32_t>
       vertex_owners;  ///< The corner that sees to a vertex; kNone: placed.
+
+  /// Whether face f is no quad and stays as it is.
+  [[nodiscard]] bool is_resting_polygon(std::uint32_t f) const noexcept {
+    return greatest[f] == 0 && cage.side_count(f) != 4;
+  }
 };
 
 /// For each vertex of the cage the corner whose face writes it; vertices that never move are
@@ -30,7 +36,7 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
                             std::span<const std::uint8_t> greatest, const RefinedArrays& arrays,
                             LargeArray<std::uint32_t>& owners);
 
-/// Writes everything that becomes of face f. Polygons that stay are left to the caller.
+/// Writes everything that becomes of face f, which is no resting polygon.
 void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays);
 
 }  // namespace limn

@@ -13,8 +13,9 @@
 #include <glm/geometric.hpp>
 
 #include "limn/contract.h"
-#include "subdivision/control_faces.h"
+#include "subdivision/cage_refinement.h"
 #include "subdivision/invariants.h"
+#include "subdivision/refined_creases.h"
 
 namespace limn {
 namespace {
@@ -65,6 +66,14 @@ void make_room(RefinedMesh& result, const RefinedCounts& counts) {
   make_room(result.polygon_offsets, counts.polygons + 1);
   make_room(result.polygon_vertices, counts.polygon_sides);
   result.polygon_offsets[0] = 0;
+  result.normals.clear();
+}
+
+/// `texture`: what the texture coordinates become; nothing where there are none.
+void make_texture_room(RefinedMesh& result, const RefinedCounts& texture) {
+  make_room(result.uvs, texture.vertices);
+  make_room(result.quad_uvs, texture.quads);
+  make_room(result.polygon_uvs, texture.polygon_sides);
 }
 
 /// A face that is no quad and stays as it was.
@@ -80,18 +89,49 @@ void write_polygon(const RefinementPlan& plan, std::uint32_t f, RefinedMesh& res
   result.face_levels[result.quads.size() + polygon] = 0;
 }
 
+void write_polygon_uvs(const RefinementPlan& plan, std::uint32_t f, RefinedMesh& result) {
+  const Cage& cage = plan.cage;
+  std::copy_n(cage.topology->corner_vertices.begin() + cage.first_corner(f), cage.side_count(f),
+              result.polygon_uvs.begin() + plan.numbering->first_polygon_side(f));
+}
+
+RefinedArrays surface_arrays(RefinedMesh& result) {
+  return {&result.positions.data()->x,      3,
+          result.vertex_levels.data(),      result.quads.data(),
+          result.face_control_faces.data(), result.face_levels.data()};
+}
+
+RefinedArrays texture_arrays(RefinedMesh& result) {
+  RefinedArrays arrays;
+  arrays.points = &result.uvs.data()->x;
+  arrays.width = 2;
+  arrays.quads = result.quad_uvs.data();
+  return arrays;
+}
+
+/// The sharpness of the control mesh's edges and vertices for those of its texture surface.
+void map_creases(const Creases& creases, const TextureSurface& texture, Creases& mapped) {
+  mapped.method = creases.method;
+  mapped.edge_sharpness.resize(creases.edge_sharpness.empty() ? 0 : texture.edges.size());
+  for (std::size_t e = 0; e < mapped.edge_sharpness.size(); ++e) {
+    mapped.edge_sharpness[e] = creases.edge_sharpness[texture.edges[e]];
+  }
+  mapped.vertex_sharpness.resize(creases.vertex_sharpness.empty() ? 0 : texture.vertices.size());
+  for (std::size_t v = 0; v < mapped.vertex_sharpness.size(); ++v) {
+    mapped.vertex_sharpness[v] = creases.vertex_sharpness[texture.vertices[v]];
+  }
+}
+
 }  // namespace
 
 struct Refiner::Workspace {
-  LargeArray<std::uint8_t> labels;
-  LargeArray<std::uint8_t> greatest;
-  LargeArray<std::uint32_t> vertex_owners;
-  Numbering numbering;
-  RingTables rings;
+  CageRefinement surface;
+  CageRefinement texture;
+  Creases texture_creases;
   std::vector<std::uint64_t> sums;
 
-  void refine_faces(Sweep& sweep, const RefinementPlan& plan, const RefinedArrays& arrays,
-                    RefinedMesh& result) const;
+  void begin(const ControlMesh& mesh, const VertexLabels& labels,
+             const SubdivisionSettings& settings, int levels, const glm::dvec3& origin);
 };
 
 Refiner::Refiner() : workspace_(std::make_unique<Workspace>()) {}
@@ -99,24 +139,28 @@ Refiner::~Refiner() = default;
 Refiner::Refiner(Refiner&&) noexcept = default;
 Refiner& Refiner::operator=(Refiner&&) noexcept = default;
 
-/// Slab by slab, each of about as many quads.
-void Refiner::Workspace::refine_faces(Sweep& sweep, const RefinementPlan& plan,
-                                      const RefinedArrays& arrays, RefinedMesh& result) const {
-  const std::size_t faces = plan.cage.face_count();
-  const double quads_per_face =
-      static_cast<double>(result.quads.size() + 1) / static_cast<double>(faces);
-  const auto slab = static_cast<std::size_t>(
-      std::max(1.0, std::ceil(static_cast<double>(kQuadsBetweenReports) / quads_per_face)));
-  const std::size_t grain = std::max<std::size_t>(1, std::min(kFaceGrain, slab / 16));
-  sweep.ranges(faces, slab, grain, 1, [&](std::size_t begin, std::size_t end) {
-    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
-      if (plan.cage.side_count(f) == 4 || plan.greatest[f] > 0) {
-        refine_face(plan, f, arrays);
-      } else {
-        write_polygon(plan, f, result);
-      }
-    }
+void Refiner::Workspace::begin(const ControlMesh& mesh, const VertexLabels& labels,
+                               const SubdivisionSettings& settings, int levels,
+                               const glm::dvec3& origin) {
+  Cage cage;
+  cage.topology = &mesh.topology();
+  cage.creases = &mesh.creases();
+  cage.corners = settings.corners;
+  cage.is_all_quads = mesh.is_all_quads();
+  surface.begin(cage, mesh.positions(), origin);
+  std::ranges::transform(labels, surface.labels().begin(), [&](std::uint8_t label) {
+    return static_cast<std::uint8_t>(std::min<int>(label, levels));
   });
+  if (const TextureSurface* uv = mesh.texture_surface(); uv != nullptr) {
+    map_creases(mesh.creases(), *uv, texture_creases);
+    cage.topology = &uv->topology;
+    cage.creases = &texture_creases;
+    cage.averaging =
+        settings.texture == TextureRule::kLinear ? Averaging::kBilinear : Averaging::kPinned;
+    texture.begin(cage, uv->points, glm::dvec3(0.0));
+    std::ranges::transform(uv->vertices, texture.labels().begin(),
+                           [&](std::uint32_t v) { return surface.labels()[v]; });
+  }
 }
 
 Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels,
@@ -124,41 +168,69 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
                              Progress& progress, RefinedMesh& result) {
   LIMN_EXPECTS(labels.size() == mesh.vertex_count());
   Workspace& work = *workspace_;
-  const std::uint64_t budget = std::min(limits.face_budget, kMostFaces);
+  const bool has_texture = mesh.texture_surface() != nullptr;
   Sweep sweep(progress, work.sums);
-  sweep.begin_stage("Numbering", 0.0, 0.1, 4 * mesh.face_count() + 6 * mesh.vertex_count());
-  work.labels.resize(labels.size());
-  std::ranges::transform(labels, work.labels.begin(), [&](std::uint8_t label) {
-    return static_cast<std::uint8_t>(std::min<int>(label, limits.levels));
-  });
-
+  sweep.begin_stage("Numbering", 0.0, 0.1,
+                    (4 * mesh.face_count() + 6 * mesh.vertex_count()) * (has_texture ? 2 : 1));
   result.origin = origin_of(mesh.bounds());
-  const Cage cage = cage_of(mesh, settings.corners, result.origin);
-  find_greatest_labels(sweep, cage, work.labels, work.greatest);
-  const RefinedCounts counts = work.numbering.build(sweep, cage, work.labels, work.greatest);
+  work.begin(mesh, labels, settings, limits.levels, result.origin);
+
+  const RefinedCounts counts = work.surface.number(sweep);
   if (sweep.is_cancelled()) {
     return cancelled();
   }
-  if (counts.quads + counts.polygons > budget) {
-    return over_budget(counts.quads + counts.polygons, budget);
+  const std::uint64_t faces = counts.quads + counts.polygons;
+  if (const std::uint64_t budget = std::min(limits.face_budget, kMostFaces); faces > budget) {
+    return over_budget(faces, budget);
   }
-  work.rings.build(sweep, cage, work.greatest);
+  const RefinedCounts texture = has_texture ? work.texture.number(sweep) : RefinedCounts{};
+  work.surface.run_rings(sweep);
+  if (has_texture) {
+    work.texture.run_rings(sweep);
+  }
   if (sweep.is_cancelled()) {
     return cancelled();
   }
   make_room(result, counts);
-  const RefinedArrays arrays{&result.positions.data()->x,      3,
-                             result.vertex_levels.data(),      result.quads.data(),
-                             result.face_control_faces.data(), result.face_levels.data()};
-  place_resting_vertices(sweep, cage, work.labels, work.greatest, arrays, work.vertex_owners);
+  make_texture_room(result, texture);
+  const RefinedArrays arrays = surface_arrays(result);
+  const RefinedArrays uv_arrays = texture_arrays(result);
+  work.surface.place_resting(sweep, arrays);
+  if (has_texture) {
+    work.texture.place_resting(sweep, uv_arrays);
+  }
 
+  // Slab by slab, each of about as many quads.
   sweep.begin_stage("Refining", 0.1, 1.0, mesh.face_count());
-  work.refine_faces(
-      sweep, {cage, work.labels, work.greatest, &work.numbering, &work.rings, work.vertex_owners},
-      arrays, result);
+  const double quads_per_face =
+      static_cast<double>(counts.quads + 1) / static_cast<double>(mesh.face_count());
+  const auto slab = static_cast<std::size_t>(
+      std::max(1.0, std::ceil(static_cast<double>(kQuadsBetweenReports) / quads_per_face)));
+  const std::size_t grain = std::max<std::size_t>(1, std::min(kFaceGrain, slab / 16));
+  const RefinementPlan plan = work.surface.plan();
+  const RefinementPlan uv_plan = work.texture.plan();
+  sweep.ranges(mesh.face_count(), slab, grain, 1, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
+      if (plan.is_resting_polygon(f)) {
+        write_polygon(plan, f, result);
+        if (has_texture) {
+          write_polygon_uvs(uv_plan, f, result);
+        }
+      } else {
+        refine_face(plan, f, arrays);
+        if (has_texture) {
+          refine_face(uv_plan, f, uv_arrays);
+        }
+      }
+    }
+  });
   if (sweep.is_cancelled()) {
     return cancelled();
   }
+  list_creases(plan, result);
+  result.creasing = mesh.creases().method;
+  result.corner_rule =
+      mesh.is_closed() ? std::nullopt : std::optional<CornerRule>(settings.corners);
   LIMN_ASSERT(greatest_level_difference(result) <= 1);
   return {};
 }

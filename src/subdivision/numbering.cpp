@@ -75,23 +75,24 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage, std::span<const s
   polygon_sides_.resize(cage.is_all_quads ? 0 : faces);
 
   const Sizes start{0, cage.vertex_count(), 0, 0};
-  const auto sizes = [&](std::size_t f) {
-    if (greatest[f] > 0) {
-      return sizes_of(cage, labels, f);
-    }
+  const auto resting = [&](std::size_t f) {
     const std::uint32_t n = cage.side_count(f);
     return n == 4 ? Sizes{1, 0, 0, 0} : Sizes{0, 0, 1, n};
   };
+  const auto sizes = [&](std::size_t f) {
+    return greatest[f] > 0 ? sizes_of(cage, labels, f) : resting(f);
+  };
   const Sizes ends = sweep.number(faces, start, sizes, [&](std::size_t f, const Sizes& first) {
     if (greatest[f] == 0) {
-      const bool is_quad = cage.side_count(f) == 4;
-      faces_[f] = static_cast<std::uint32_t>(first[is_quad ? kQuads : kPolygons]);
-      if (!is_quad) {
+      const Sizes size = resting(f);
+      faces_[f] = static_cast<std::uint32_t>(first[size[kQuads] > 0 ? kQuads : kPolygons]);
+      if (size[kPolygons] > 0) {
         polygon_sides_[f] = static_cast<std::uint32_t>(first[kPolygonSides]);
       }
-      return;
+      return size;
     }
     const FaceLabels face(cage, labels, f);
+    const FaceCounts counts = counts_of(face);
     faces_[f] = static_cast<std::uint32_t>(first[kQuads]);
     std::uint64_t vertex = first[kVertices];
     for_each_own_edge(cage, f, [&](std::uint32_t edge, std::uint32_t side) {
@@ -99,6 +100,7 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage, std::span<const s
       vertex += on_edge(face, side);
     });
     insides_[f] = static_cast<std::uint32_t>(vertex);
+    return Sizes{counts.quads, vertex + counts.inside - first[kVertices], 0, 0};
   });
   return {ends[kQuads], ends[kVertices], ends[kPolygons], ends[kPolygonSides]};
 }

@@ -31,6 +31,27 @@ std::uint64_t multiply(std::uint64_t a, std::uint64_t b) {
              : a * b;
 }
 
+/// Of the texture coordinates, whose surface has the same faces and edges of its own, seams twice.
+template <class LabelOf>
+std::uint64_t texture_bytes(const TextureSurface& texture, const RefinementPrediction& prediction,
+                            std::uint64_t sides, const LabelOf& label_of) {
+  const LabelCounts& counts = LabelCounts::table();
+  const FlatTopology& topology = texture.topology;
+  std::uint64_t boundary_edges = 0;
+  for (std::size_t e = 0; e < topology.edge_corners.size(); ++e) {
+    if (topology.edge_corners[e][1] == kNone) {
+      const auto [a, b] = topology.edge_vertices[e];
+      boundary_edges +=
+          1 + counts.edge(label_of(texture.vertices[a]), label_of(texture.vertices[b]));
+    }
+  }
+  const std::uint64_t edges = (sides + boundary_edges) / 2;
+  const std::size_t faces = topology.face_offsets.size() - 1;
+  const std::uint64_t points =
+      texture.points.size() + (edges - topology.edge_corners.size()) - (prediction.faces - faces);
+  return add(multiply(points, sizeof(glm::vec2)), multiply(sides, sizeof(std::uint32_t)));
+}
+
 }  // namespace
 
 RefinementPrediction predict_refinement(const ControlMesh& mesh, const VertexLabels& labels,
@@ -89,6 +110,10 @@ RefinementPrediction predict_refinement(const ControlMesh& mesh, const VertexLab
               multiply(prediction.faces - polygons, sizeof(std::array<std::uint32_t, 4>))),
           add(multiply(prediction.faces, sizeof(std::uint32_t) + sizeof(std::uint8_t)),
               (polygons + 1 + polygon_sides) * sizeof(std::uint32_t)));
+  if (const TextureSurface* texture = mesh.texture_surface(); texture != nullptr) {
+    prediction.bytes =
+        add(prediction.bytes, texture_bytes(*texture, prediction, refined_sides, label_of));
+  }
   prediction.uniform_faces = mesh.face_count();
   if (prediction.levels > 0) {
     prediction.uniform_faces = sides;

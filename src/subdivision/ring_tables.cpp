@@ -113,9 +113,11 @@ void RingTables::number_points(Sweep& sweep, const Cage& cage) {
   Sizes next{0};
   next = sweep.number(vertex_levels_.size(), next, vertex_points, [&](std::size_t v, Sizes first) {
     vertex_firsts_[v] = vertex_levels_[v] == 0 ? kNone : static_cast<std::uint32_t>(first[0]);
+    return vertex_points(v);
   });
   next = sweep.number(face_levels_.size(), next, face_points, [&](std::size_t f, Sizes first) {
     face_firsts_[f] = face_levels_[f] == 0 ? kNone : static_cast<std::uint32_t>(first[0]);
+    return face_points(f);
   });
   points_.resize(next[0]);
 }

@@ -49,8 +49,8 @@ class Sweep {
 
   /// Numbers items with one parallel count and one parallel assignment: item i takes
   /// `sizes(i)[k]` consecutive numbers of each kind k, the first items from `start` on;
-  /// `assign(i, firsts)` is told the first of them. Returns where the numbers end, or `start` if
-  /// cancelled.
+  /// `assign(i, firsts)` is told the first of them and returns `sizes(i)`. Returns where the
+  /// numbers end, or `start` if cancelled.
   template <std::size_t K, class Sizes, class Assign>
   std::array<std::uint64_t, K> number(std::size_t n, const std::array<std::uint64_t, K>& start,
                                       const Sizes& sizes, const Assign& assign) {
@@ -85,8 +85,7 @@ class Sweep {
           first[k] = first_of(block, k);
         }
         for (std::size_t i = block * kBlock; i < end_of(block); ++i) {
-          assign(i, std::as_const(first));
-          advance(first, sizes(i));
+          advance(first, assign(i, std::as_const(first)));
         }
       }
     });

@@ -15,7 +15,7 @@ struct RefinementPrediction {
   std::uint64_t faces = 0;
   std::uint64_t vertices = 0;
   std::uint64_t edges = 0;
-  std::uint64_t bytes = 0;          ///< Of the RefinedMesh arrays.
+  std::uint64_t bytes = 0;  ///< Of the RefinedMesh's arrays, creases, corners and normals aside.
   std::uint64_t uniform_faces = 0;  ///< Of uniform Catmull-Clark at the same greatest level.
   int levels = 0;                   ///< Steps that will be made.
 };

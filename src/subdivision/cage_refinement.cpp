@@ -1,0 +1,31 @@
+#include "subdivision/cage_refinement.h"
+
+#include <algorithm>
+
+namespace limn {
+
+void CageRefinement::begin(const Cage& cage, std::span<const glm::dvec3> points,
+                           const glm::dvec3& origin) {
+  cage_ = cage;
+  points_.resize(points.size());
+  std::ranges::transform(points, points_.begin(),
+                         [&origin](const glm::dvec3& p) { return to_point(p - origin); });
+  cage_.points = points_;
+  labels_.resize(points.size());
+}
+
+RefinedCounts CageRefinement::number(Sweep& sweep) {
+  greatest_of_all_ = labels_.empty() ? std::uint8_t{0} : *std::ranges::max_element(labels_);
+  find_greatest_labels(sweep, cage_, labels_, greatest_);
+  return numbering_.build(sweep, cage_, labels_, greatest_);
+}
+
+void CageRefinement::run_rings(Sweep& sweep) {
+  rings_.build(sweep, cage_, greatest_);
+}
+
+void CageRefinement::place_resting(Sweep& sweep, const RefinedArrays& arrays) {
+  place_resting_vertices(sweep, cage_, labels_, greatest_, arrays, owners_);
+}
+
+}  // namespace limn

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "limn/mesh/large_array.h"
+#include "subdivision/cage.h"
+#include "subdivision/control_faces.h"
+
+// The refinement of one cage, from its points and labels to arrays. Internal to this folder.
+namespace limn {
+
+/// Plans a refinement and keeps its arrays for the next one.
+///
+///   begin(cage, points, origin), fill labels(), counts = number(sweep), run_rings(sweep);
+///   make room for `counts`, place_resting(sweep, arrays);
+///   refine_face(plan(), f, arrays) for every face, from any thread.
+class CageRefinement {
+ public:
+  /// `cage` without its points, which are copied relative to `origin`.
+  void begin(const Cage& cage, std::span<const glm::dvec3> points, const glm::dvec3& origin);
+  /// One per vertex, to be filled after `begin`.
+  [[nodiscard]] std::span<std::uint8_t> labels() noexcept { return labels_; }
+
+  /// The labels are legal.
+  RefinedCounts number(Sweep& sweep);
+  void run_rings(Sweep& sweep);
+  /// Vertices that never move, and the owners of all others.
+  void place_resting(Sweep& sweep, const RefinedArrays& arrays);
+
+  [[nodiscard]] RefinementPlan plan() const noexcept {
+    return {cage_, labels_, greatest_, greatest_of_all_, &numbering_, &rings_, owners_};
+  }
+
+ private:
+  Cage cage_;
+  LargeArray<Point> points_;
+  LargeArray<std::uint8_t> labels_;
+  LargeArray<std::uint8_t> greatest_;
+  std::uint8_t greatest_of_all_ = 0;
+  LargeArray<std::uint32_t> owners_;
+  Numbering numbering_;
+  RingTables rings_;
+};
+
+}  // namespace limn

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "limn/mesh/refined_mesh.h"
+#include "subdivision/control_faces.h"
+
+// What stays sharp. Internal to this folder.
+namespace limn {
+
+/// Lists the sharp edges and vertices of a refined mesh whose vertices are written.
+void list_creases(const RefinementPlan& plan, RefinedMesh& result);
+
+}  // namespace limn
