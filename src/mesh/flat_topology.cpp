@@ -48,7 +48,7 @@ void order_corners(FlatTopology& flat, std::size_t vertices) {
   flat.vertex_corners.reserve(corners);
   flat.corner_ranks.resize(corners);
   for (const std::uint32_t start : starts) {
-    LIMN_EXPECTS(start != kNone);
+    LIMN_EXPECTS(start != kNone && "no isolated vertices");
     std::uint32_t corner = start;
     do {
       flat.corner_ranks[corner] =
