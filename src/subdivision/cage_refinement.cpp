@@ -20,12 +20,12 @@ RefinedCounts CageRefinement::number(Sweep& sweep) {
   return numbering_.build(sweep, cage_, labels_, greatest_);
 }
 
-void CageRefinement::run_rings(Sweep& sweep) {
-  rings_.build(sweep, cage_, greatest_);
+void CageRefinement::run_rings(Sweep& sweep, bool with_limits) {
+  rings_.build(sweep, cage_, greatest_, with_limits);
 }
 
 void CageRefinement::place_resting(Sweep& sweep, const RefinedArrays& arrays) {
-  place_resting_vertices(sweep, cage_, labels_, greatest_, arrays, owners_);
+  place_resting_vertices(sweep, cage_, labels_, greatest_, rings_, arrays, owners_);
 }
 
 }  // namespace limn

@@ -15,7 +15,7 @@ namespace limn {
 
 /// Plans a refinement and keeps its arrays for the next one.
 ///
-///   begin(cage, points, origin), fill labels(), counts = number(sweep), run_rings(sweep);
+///   begin(cage, points, origin), fill labels(), counts = number(sweep), run_rings(sweep, false);
 ///   make room for `counts`, place_resting(sweep, arrays);
 ///   refine_face(plan(), f, arrays) for every face, from any thread.
 class CageRefinement {
@@ -27,7 +27,8 @@ class CageRefinement {
 
   /// The labels are legal.
   RefinedCounts number(Sweep& sweep);
-  void run_rings(Sweep& sweep);
+  /// `with_limits`: the arrays will take limits.
+  void run_rings(Sweep& sweep, bool with_limits);
   /// Vertices that never move, and the owners of all others.
   void place_resting(Sweep& sweep, const RefinedArrays& arrays);
 

@@ -6,6 +6,7 @@
 
 #include "subdivision/label_counts.h"
 #include "subdivision/patch_gather.h"
+#include "subdivision/patch_limits.h"
 
 namespace limn {
 namespace {
@@ -181,14 +182,14 @@ class PolygonRefinement {
       if (node.labels[0] > 0) {
         node.owned_corners |= bit(0);
       } else {
-        arrays_->put(vertex, patch.grid[5], 1);
+        put(vertex, patch, {0, 0});
       }
     }
     if (here.is_own) {
       if (here.goes_with_first) {
         node.owned_corners |= bit(1);
       } else if (!here.goes_with_second) {
-        arrays_->put(here.midpoint, patch.grid[6], 1);
+        put(here.midpoint, patch, {1, 0});
       }
     }
     if (before.is_own && before.goes_with_second) {
@@ -198,11 +199,20 @@ class PolygonRefinement {
       if (centre_label_ > 0) {
         node.owned_corners |= bit(2);
       } else {
-        arrays_->put(inside_, patch.grid[10], 1);
+        put(inside_, patch, {1, 1});
       }
     }
     refine_patch(patch, node, f_, *arrays_);
     return LabelCounts::table().face(node.labels);
+  }
+
+  /// A vertex that rests at level 1.
+  void put(std::uint32_t vertex, const Patch& patch, const GridPlace& place) const {
+    const PatchGrid grid{{patch.grid.data(), 4, 1}, 1, 0, 0, 15, 15};
+    arrays_->put(vertex, patch.grid[4 * place.y + place.x + 5], 1);
+    if (arrays_->takes_limits()) {
+      arrays_->put_limit(vertex, limit_in_patch(patch, grid, place));
+    }
   }
 
   const RefinementPlan* plan_;
@@ -217,8 +227,8 @@ class PolygonRefinement {
 }  // namespace
 
 void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                            std::span<const std::uint8_t> greatest, const RefinedArrays& arrays,
-                            LargeArray<std::uint32_t>& owners) {
+                            std::span<const std::uint8_t> greatest, const RingTables& rings,
+                            const RefinedArrays& arrays, LargeArray<std::uint32_t>& owners) {
   owners.resize(cage.vertex_count());
   const FlatTopology& topology = *cage.topology;
   sweep.each(cage.vertex_count(), [&](std::size_t i) {
@@ -239,6 +249,9 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
     } else {
       owners[v] = kNone;
       arrays.put(v, cage.point(v), 0);
+      if (arrays.takes_limits()) {
+        arrays.put_limit(v, limit_in_cage(cage, rings, v));
+      }
     }
   });
 }

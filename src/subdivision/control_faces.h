@@ -33,8 +33,8 @@ struct RefinementPlan {
 /// For each vertex of the cage the corner whose face writes it; vertices that never move are
 /// written at once.
 void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                            std::span<const std::uint8_t> greatest, const RefinedArrays& arrays,
-                            LargeArray<std::uint32_t>& owners);
+                            std::span<const std::uint8_t> greatest, const RingTables& rings,
+                            const RefinedArrays& arrays, LargeArray<std::uint32_t>& owners);
 
 /// Writes everything that becomes of face f, which is no resting polygon.
 void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays);

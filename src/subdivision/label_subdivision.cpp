@@ -66,7 +66,6 @@ void make_room(RefinedMesh& result, const RefinedCounts& counts) {
   make_room(result.polygon_offsets, counts.polygons + 1);
   make_room(result.polygon_vertices, counts.polygon_sides);
   result.polygon_offsets[0] = 0;
-  result.normals.clear();
 }
 
 /// `texture`: what the texture coordinates become; nothing where there are none.
@@ -95,10 +94,15 @@ void write_polygon_uvs(const RefinementPlan& plan, std::uint32_t f, RefinedMesh&
               result.polygon_uvs.begin() + plan.numbering->first_polygon_side(f));
 }
 
-RefinedArrays surface_arrays(RefinedMesh& result) {
-  return {&result.positions.data()->x,      3,
-          result.vertex_levels.data(),      result.quads.data(),
-          result.face_control_faces.data(), result.face_levels.data()};
+RefinedArrays surface_arrays(RefinedMesh& result, SurfacePoints points) {
+  return {&result.positions.data()->x,
+          3,
+          result.vertex_levels.data(),
+          result.quads.data(),
+          result.face_control_faces.data(),
+          result.face_levels.data(),
+          points == SurfacePoints::kLimit,
+          result.normals.empty() ? nullptr : &result.normals.data()->x};
 }
 
 RefinedArrays texture_arrays(RefinedMesh& result) {
@@ -184,16 +188,17 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
     return over_budget(faces, budget);
   }
   const RefinedCounts texture = has_texture ? work.texture.number(sweep) : RefinedCounts{};
-  work.surface.run_rings(sweep);
+  work.surface.run_rings(sweep, limits.normals || settings.points == SurfacePoints::kLimit);
   if (has_texture) {
-    work.texture.run_rings(sweep);
+    work.texture.run_rings(sweep, false);
   }
   if (sweep.is_cancelled()) {
     return cancelled();
   }
   make_room(result, counts);
+  make_room(result.normals, limits.normals ? counts.vertices : 0);
   make_texture_room(result, texture);
-  const RefinedArrays arrays = surface_arrays(result);
+  const RefinedArrays arrays = surface_arrays(result, settings.points);
   const RefinedArrays uv_arrays = texture_arrays(result);
   work.surface.place_resting(sweep, arrays);
   if (has_texture) {

@@ -9,6 +9,7 @@
 #include "limn/contract.h"
 #include "subdivision/parallel_ranges.h"
 #include "subdivision/patch_levels.h"
+#include "subdivision/patch_limits.h"
 
 namespace limn {
 namespace {
@@ -18,10 +19,49 @@ namespace {
 constexpr int kGridLevels = 6;
 constexpr std::size_t kGridSide = (std::size_t{1} << kGridLevels) + 1;          ///< Vertices.
 constexpr std::size_t kStoredSide = (std::size_t{1} << (kGridLevels - 1)) + 3;  ///< With a ring.
+constexpr std::size_t kLastSide = kGridSide + 2;  ///< Of the last level, which limits are from.
+static_assert(kGridSide - 2 <= kLongestInnerRow);
 /// Children of nodes with so many quads are worth a task of their own.
 constexpr std::uint32_t kParallelQuads = std::uint32_t{1} << 17;
 
 constexpr std::size_t kAround = 5;  ///< Points along a side of one face's next level, with a ring.
+
+/// The grid that a step down from this one gives, ring included.
+PatchGrid one_level_down(const PatchGrid& grid, const Point* points) {
+  const std::size_t n = 2 * grid.grid.n;
+  return {{points, n + 3, n}, grid.level + 1,     2 * grid.column,
+          2 * grid.row,       grid.patch_corners, grid.patch_sides};
+}
+
+PatchGrid around(const Node& node, const GridView& grid) {
+  return {grid, node.level, node.column, node.row, node.patch_corners, node.patch_sides};
+}
+
+/// One face's next level, ring included, and where its own points stand.
+class Around {
+ public:
+  Around(const Patch& patch, const PatchGrid& node) : node_(node) {
+    step_down(patch, node, points_.data());
+  }
+
+  [[nodiscard]] PatchGrid grid() const { return one_level_down(node_, points_.data()); }
+  [[nodiscard]] const Point& at(const GridPlace& place) const {
+    return points_[(place.y + 1) * kAround + place.x + 1];
+  }
+  /// Child i with the points around it.
+  [[nodiscard]] GridView child(std::size_t i) const {
+    constexpr std::array<std::size_t, 4> kAt{0, 1, kAround + 1, kAround};
+    return {points_.data() + kAt[i], kAround, 1};
+  }
+
+ private:
+  std::array<Point, kAround * kAround> points_;
+  PatchGrid node_;
+};
+
+constexpr std::array<GridPlace, 4> kCorners{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
+constexpr std::array<GridPlace, 4> kMiddles{{{1, 0}, {2, 1}, {1, 2}, {0, 1}}};
+constexpr GridPlace kCentre{1, 1};
 
 class PatchWriter {
  public:
@@ -31,9 +71,11 @@ class PatchWriter {
   void write(const Node& node, const GridView& grid) const;
 
  private:
+  void put(std::uint32_t vertex, const Around& next, const GridPlace& place) const;
   void write_uniform(const Node& node, const GridView& grid) const;
   void write_last(const Node& node, const GridView& grid) const;
   void write_uniform_quads(const Node& node, std::size_t n) const;
+  void write_uniform_limits(const Node& node, const PatchGrid& before_last) const;
   void write_split(const Node& node, const GridView& grid) const;
   void write_y(const Node& node, const GridView& grid) const;
   void put_quad(std::uint32_t at, const std::array<std::uint32_t, 4>& quad, int level) const;
@@ -41,30 +83,6 @@ class PatchWriter {
   const Patch* patch_;
   std::uint32_t control_face_;
   const RefinedArrays* arrays_;
-};
-
-PatchGrid around(const Node& node, const GridView& grid) {
-  return {grid, node.level, node.column, node.row, node.patch_corners, node.patch_sides};
-}
-
-/// One face's next level, ring included, and where its own points stand.
-struct Around {
-  std::array<Point, kAround * kAround> points;
-
-  [[nodiscard]] const Point& corner(std::size_t i) const {
-    constexpr std::array<std::size_t, 4> kAt{6, 8, 18, 16};
-    return points[kAt[i]];
-  }
-  [[nodiscard]] const Point& side(std::size_t i) const {
-    constexpr std::array<std::size_t, 4> kAt{7, 13, 17, 11};
-    return points[kAt[i]];
-  }
-  [[nodiscard]] const Point& centre() const { return points[12]; }
-  /// Child i with the points around it.
-  [[nodiscard]] GridView child(std::size_t i) const {
-    constexpr std::array<std::size_t, 4> kAt{0, 1, kAround + 1, kAround};
-    return {points.data() + kAt[i], kAround, 1};
-  }
 };
 
 /// What the sides and the face point of a node turn into.
@@ -96,6 +114,14 @@ Midpoints midpoints_of(const Node& node) {
 
 EdgeRun reversed(const EdgeRun& run, std::uint32_t count) {
   return {run.at(count - 1), 0u - run.step};
+}
+
+void PatchWriter::put(std::uint32_t vertex, const Around& next, const GridPlace& place) const {
+  const PatchGrid grid = next.grid();
+  arrays_->put(vertex, next.at(place), grid.level);
+  if (arrays_->takes_limits()) {
+    arrays_->put_limit(vertex, limit_in_patch(*patch_, grid, place));
+  }
 }
 
 void PatchWriter::put_quad(std::uint32_t at, const std::array<std::uint32_t, 4>& quad,
@@ -132,8 +158,7 @@ void PatchWriter::write(const Node& node, const GridView& grid) const {
 /// Gives each child what it has of the node's patch, and the owned corners that go on moving.
 void PatchWriter::write_split(const Node& node, const GridView& grid) const {
   const LabelCounts& counts = LabelCounts::table();
-  Around next;
-  step_down(*patch_, around(node, grid), next.points.data());
+  const Around next(*patch_, around(node, grid));
   const int level = node.level + 1;
   const Midpoints midpoints = midpoints_of(node);
   const std::uint8_t centre_label = face_point_label(node.labels);
@@ -184,7 +209,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
       if (children[i].labels[i] > 0) {
         children[i].owned_corners |= bit(i);
       } else {
-        arrays_->put(node.corners[i], next.corner(i), level);
+        put(node.corners[i], next, kCorners[i]);
       }
     }
     if (has(node.owned_sides, i) && midpoints.vertices[i] != kNone) {
@@ -194,7 +219,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
       } else if (children[after].labels[after] > 0) {
         children[after].owned_corners |= bit(i);
       } else {
-        arrays_->put(midpoints.vertices[i], next.side(i), level);
+        put(midpoints.vertices[i], next, kMiddles[i]);
       }
     }
     // The inner edge from the midpoint of side i to the centre has children i and i + 1 beside it.
@@ -215,7 +240,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
   if (centre_label > 0) {
     children[0].owned_corners |= bit(2);
   } else {
-    arrays_->put(centre, next.centre(), level);
+    put(centre, next, kCentre);
   }
 
   const auto write_children = [&](std::size_t first, std::size_t last) {
@@ -231,8 +256,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
 }
 
 void PatchWriter::write_y(const Node& node, const GridView& grid) const {
-  Around next;
-  step_down(*patch_, around(node, grid), next.points.data());
+  const Around next(*patch_, around(node, grid));
   const int level = node.level + 1;
   const Midpoints midpoints = midpoints_of(node);
   const auto positive = static_cast<std::size_t>(
@@ -266,7 +290,7 @@ void PatchWriter::write_y(const Node& node, const GridView& grid) const {
       if (i == positive && goes_on) {
         child.owned_corners |= bit(i);
       } else {
-        arrays_->put(node.corners[i], next.corner(i), level);
+        put(node.corners[i], next, kCorners[i]);
       }
     }
   }
@@ -275,13 +299,13 @@ void PatchWriter::write_y(const Node& node, const GridView& grid) const {
       if (goes_on) {
         child.owned_corners |= bit(child_corner);
       } else {
-        arrays_->put(midpoints.vertices[side], next.side(side), level);
+        put(midpoints.vertices[side], next, kMiddles[side]);
       }
     }
   };
   put_midpoint(positive, after);
   put_midpoint(before, before);
-  arrays_->put(centre, next.centre(), level);
+  put(centre, next, kCentre);
 
   write(child, next.child(positive));
   const std::uint32_t quad = node.quad + LabelCounts::table().face(child.labels).quads;
@@ -368,6 +392,9 @@ void PatchWriter::write_last(const Node& node, const GridView& grid) const {
     quad[before] = middles[before];
     put_quad(node.quad + i, quad, node.level + 1);
   }
+  if (arrays_->takes_limits()) {
+    write_uniform_limits(node, last);
+  }
 }
 
 void PatchWriter::write_uniform(const Node& node, const GridView& grid) const {
@@ -376,11 +403,7 @@ void PatchWriter::write_uniform(const Node& node, const GridView& grid) const {
   for (int step = 1; step < node.labels[0]; ++step) {
     Point* out = levels[static_cast<std::size_t>(step) % 2].data();
     step_down(*patch_, last, out);
-    const std::size_t n = 2 * last.grid.n;
-    last.grid = {out, n + 3, n};
-    ++last.level;
-    last.column *= 2;
-    last.row *= 2;
+    last = one_level_down(last, out);
   }
   const std::size_t n = 2 * last.grid.n;
   write_uniform_quads(node, n);
@@ -388,7 +411,7 @@ void PatchWriter::write_uniform(const Node& node, const GridView& grid) const {
   const int level = last.level + 1;
   const std::size_t inner = (n - 1) * (n - 1);
   float* points = arrays_->points + arrays_->width * node.inside;
-  for (std::size_t row = 2; row <= n; ++row) {
+  for (std::size_t row = 2; row <= n && !arrays_->has_limit_points; ++row) {
     const auto write_row = patch_->is_bilinear ? bilinear_inner_row : refine_inner_row;
     write_row(last.grid, row, points, arrays_->width);
     points += arrays_->width * (n - 1);
@@ -409,6 +432,16 @@ void PatchWriter::write_uniform(const Node& node, const GridView& grid) const {
       arrays_->put(node.corners[i], step_down_corner(*patch_, last, i), level);
     }
   }
+  if (arrays_->takes_limits()) {
+    write_uniform_limits(node, last);
+  }
+}
+
+/// Takes the one step more, ring and all, that positions of their level do without.
+void PatchWriter::write_uniform_limits(const Node& node, const PatchGrid& before_last) const {
+  std::array<Point, kLastSide * kLastSide> points;
+  step_down(*patch_, before_last, points.data());
+  put_uniform_limits(*patch_, node, one_level_down(before_last, points.data()), *arrays_);
 }
 
 }  // namespace

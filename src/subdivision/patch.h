@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "subdivision/label_counts.h"
+#include "subdivision/limit_point.h"
 #include "subdivision/ring_tables.h"
 #include "subdivision/tensor_grid.h"
 
@@ -89,7 +90,26 @@ struct RefinedArrays {
   std::array<std::uint32_t, 4>* quads = nullptr;
   std::uint32_t* face_control_faces = nullptr;
   std::uint8_t* face_levels = nullptr;
+  bool has_limit_points = false;  ///< `points` are those of the limit (width 3).
+  float* normals = nullptr;       ///< Of the limit, 3 floats a vertex.
 
+  [[nodiscard]] bool takes_limits() const noexcept {
+    return has_limit_points || normals != nullptr;
+  }
+  void put_limit(std::uint32_t vertex, const LimitPoint& limit) const noexcept {
+    const auto put_vec3 = [vertex](const glm::dvec3& from, float* to) {
+      to += std::size_t{3} * vertex;
+      to[0] = static_cast<float>(from.x);
+      to[1] = static_cast<float>(from.y);
+      to[2] = static_cast<float>(from.z);
+    };
+    if (has_limit_points) {
+      put_vec3(limit.position, points);
+    }
+    if (normals != nullptr) {
+      put_vec3(limit.normal, normals);
+    }
+  }
   void put(std::uint32_t vertex, const Point& point, int level) const noexcept {
     float* at = points + width * vertex;
     at[0] = static_cast<float>(point[0]);

@@ -9,6 +9,28 @@
 namespace limn {
 namespace {
 
+/// The points of one level; returns where the next one's go.
+Point* keep(VertexRing& ring, Point* at) {
+  *at++ = ring.centre();
+  return std::ranges::copy(ring.edges(), at).out;
+}
+
+/// The ring's limit, before its points.
+void keep_limit(VertexRing& ring, const Cage& cage, Point* points) {
+  ring.step_until_worn(cage.creases->method, cage.corners);
+  const LimitPoint limit = ring.limit(cage.creases->method, cage.corners);
+  points[-2] = to_point(limit.position);
+  points[-1] = to_point(limit.normal);
+}
+
+/// One per thread, so that rings cost no allocation.
+VertexRing& ring_of_this_thread() {
+  thread_local VertexRing ring;
+  return ring;
+}
+
+}  // namespace
+
 bool is_irregular(const Cage& cage, std::uint32_t v, const Fan& fan) {
   if (fan.corners.size() != (fan.is_boundary ? 2u : 4u) || cage.vertex_sharpness(v) > 0.0f ||
       (fan.is_boundary && cage.averaging == Averaging::kPinned)) {
@@ -27,8 +49,7 @@ bool is_irregular(const Cage& cage, std::uint32_t v, const Fan& fan) {
   return false;
 }
 
-/// Level 0 around a vertex of the cage.
-void seed(VertexRing& ring, const Cage& cage, const RingTables& tables, std::uint32_t v) {
+void RingTables::seed(const Cage& cage, std::uint32_t v, VertexRing& ring) const {
   const FlatTopology& topology = *cage.topology;
   const Fan fan = fan_of(cage, v);
   seed_sharpness(ring, cage, v);
@@ -36,27 +57,16 @@ void seed(VertexRing& ring, const Cage& cage, const RingTables& tables, std::uin
   for (std::size_t i = 0; i < fan.corners.size(); ++i) {
     const std::uint32_t corner = fan.corners[i];
     ring.edges()[i] = cage.point(topology.corner_vertices[cage.next(corner)]);
-    ring.centroids()[i] = tables.centroid(cage, cage.face_of(corner));
+    ring.centroids()[i] = centroid(cage, cage.face_of(corner));
   }
   if (fan.is_boundary) {
     ring.edges().back() = cage.point(topology.corner_vertices[cage.previous(fan.corners.back())]);
   }
 }
 
-Point* keep(VertexRing& ring, Point* at) {
-  *at++ = ring.centre();
-  return std::ranges::copy(ring.edges(), at).out;
-}
-
-/// One per thread, so that rings cost no allocation.
-VertexRing& ring_of_this_thread() {
-  thread_local VertexRing ring;
-  return ring;
-}
-
-}  // namespace
-
-void RingTables::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest) {
+void RingTables::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest,
+                       bool with_limits) {
+  has_limits_ = with_limits;
   const std::size_t vertices = cage.vertex_count();
   const std::size_t polygons = cage.is_all_quads ? 0 : cage.face_count();
   build_centroids(sweep, cage, greatest);
@@ -95,8 +105,9 @@ void RingTables::build_centroids(Sweep& sweep, const Cage& cage,
 /// Where each ring's points start.
 void RingTables::number_points(Sweep& sweep, const Cage& cage) {
   using Sizes = std::array<std::uint64_t, 1>;
-  const auto of_ring = [](std::uint8_t levels, std::size_t edges) {
-    return Sizes{levels * (edges + std::uint64_t{1})};
+  const std::uint32_t limits = has_limits_ ? 2 : 0;
+  const auto of_ring = [limits](std::uint8_t levels, std::size_t edges) {
+    return Sizes{levels == 0 ? 0 : levels * (edges + std::uint64_t{1}) + limits};
   };
   const auto vertex_points = [&](std::size_t v) {
     if (vertex_levels_[v] == 0) {
@@ -112,11 +123,12 @@ void RingTables::number_points(Sweep& sweep, const Cage& cage) {
   face_firsts_.resize(face_levels_.size());
   Sizes next{0};
   next = sweep.number(vertex_levels_.size(), next, vertex_points, [&](std::size_t v, Sizes first) {
-    vertex_firsts_[v] = vertex_levels_[v] == 0 ? kNone : static_cast<std::uint32_t>(first[0]);
+    vertex_firsts_[v] =
+        vertex_levels_[v] == 0 ? kNone : static_cast<std::uint32_t>(first[0]) + limits;
     return vertex_points(v);
   });
   next = sweep.number(face_levels_.size(), next, face_points, [&](std::size_t f, Sizes first) {
-    face_firsts_[f] = face_levels_[f] == 0 ? kNone : static_cast<std::uint32_t>(first[0]);
+    face_firsts_[f] = face_levels_[f] == 0 ? kNone : static_cast<std::uint32_t>(first[0]) + limits;
     return face_points(f);
   });
   points_.resize(next[0]);
@@ -127,11 +139,15 @@ void RingTables::run_vertex(const Cage& cage, std::uint32_t v) {
     return;
   }
   VertexRing& ring = ring_of_this_thread();
-  seed(ring, cage, *this, v);
-  Point* at = points_.data() + vertex_firsts_[v];
+  seed(cage, v, ring);
+  Point* const points = points_.data() + vertex_firsts_[v];
+  Point* at = points;
   for (int level = 1; level <= vertex_levels_[v]; ++level) {
     ring.step(cage.creases->method, cage.corners);
     at = keep(ring, at);
+  }
+  if (has_limits_) {
+    keep_limit(ring, cage, points);
   }
 }
 
@@ -158,10 +174,14 @@ void RingTables::run_face(const Cage& cage, std::uint32_t f) {
                               ring_at(first + after).centre(1)) *
                              0.25;
   }
-  Point* at = keep(ring, points_.data() + face_firsts_[f]);
+  Point* const points = points_.data() + face_firsts_[f];
+  Point* at = keep(ring, points);
   for (int level = 2; level <= face_levels_[f]; ++level) {
     ring.step(cage.creases->method, cage.corners);
     at = keep(ring, at);
+  }
+  if (has_limits_) {
+    keep_limit(ring, cage, points);
   }
 }
 

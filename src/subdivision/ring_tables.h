@@ -6,6 +6,7 @@
 #include "limn/mesh/large_array.h"
 #include "subdivision/cage.h"
 #include "subdivision/crease_rows.h"
+#include "subdivision/limit_point.h"
 #include "subdivision/sweep.h"
 
 // The neighbourhoods that are no regular grid. Internal to this folder.
@@ -25,6 +26,10 @@ class RingView {
   [[nodiscard]] const Point& edge(int level, std::size_t i) const noexcept {
     return at(level)[1 + i];
   }
+  /// Where tables with limits were asked for.
+  [[nodiscard]] LimitPoint limit() const noexcept {
+    return {to_vec3(points_[-2]), to_vec3(points_[-1])};
+  }
 
  private:
   /// Past the last level stands the last: such points are computed around, never used.
@@ -39,6 +44,11 @@ class RingView {
   int last_level_ = 0;
 };
 
+class VertexRing;
+
+/// Whether the points around a vertex are none of a regular grid: see RingTables.
+[[nodiscard]] bool is_irregular(const Cage& cage, std::uint32_t v, const Fan& fan);
+
 /// The rings of all irregular vertices that a refinement comes near, from level 1 on, and of the
 /// centres of faces that are no quads, from level 1 on as well.
 ///
@@ -47,7 +57,9 @@ class RingView {
 class RingTables {
  public:
   /// From the greatest label of each face. Arrays of an earlier build are used again.
-  void build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest);
+  /// `with_limits`: rings know their limits too.
+  void build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest,
+             bool with_limits);
 
   /// The ring around vertex v; none where v is regular or nothing around it is refined.
   [[nodiscard]] RingView of_vertex(const Cage& cage, std::uint32_t v) const noexcept;
@@ -63,6 +75,8 @@ class RingTables {
   [[nodiscard]] Point centroid(const Cage& cage, std::uint32_t f) const noexcept {
     return cage.side_count(f) == 4 ? cage.centroid(f) : centroids_[f];
   }
+  /// Makes `ring` that of any vertex, at level 0.
+  void seed(const Cage& cage, std::uint32_t v, VertexRing& ring) const;
 
  private:
   void build_centroids(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest);
@@ -75,7 +89,8 @@ class RingTables {
   LargeArray<std::uint32_t> face_firsts_;    ///< Likewise for faces; empty where all are quads.
   LargeArray<std::uint8_t> face_levels_;
   LargeArray<Point> centroids_;  ///< Of the faces that are no quads.
-  LargeArray<Point> points_;
+  LargeArray<Point> points_;     ///< Before a ring's, where asked for, its limit's two.
+  bool has_limits_ = false;
   CreaseRows rows_;
 };
 

@@ -8,16 +8,11 @@
 #include <glm/vec3.hpp>
 
 #include "limn/mesh/creases.h"
+#include "subdivision/limit_point.h"
 #include "subdivision/point.h"
 
 // Internal to this folder.
 namespace limn {
-
-/// Where a vertex of the surface ends up, and the direction out of the surface there.
-struct LimitPoint {
-  glm::dvec3 position{0.0};
-  glm::dvec3 normal{0.0};  ///< Of length 1; 0 where the surface has no tangent plane.
-};
 
 /// A vertex with its neighbours along edges e_i and the centroids c_i of the faces around it: what
 /// one Catmull-Clark step turns into the same of the next level, for any valence, any face sizes,
@@ -62,6 +57,10 @@ class VertexRing {
   /// A boundary vertex of one face is a corner where `corners` is kSharp.
   void step(CreasingMethod method, CornerRule corners);
 
+  /// Steps until nothing is semi-sharp any more, which leaves the limit as it is and cheap to ask
+  /// for.
+  void step_until_worn(CreasingMethod method, CornerRule corners);
+
   /// The limit of the vertex, semi-sharp creases worn off first. The ring is left as it was, and
   /// the answer is the same at every level, which OpenSubdiv's is not where it takes a mask of
   /// another rule for an approximation: at darts (ends of infinitely sharp creases), and for the
@@ -87,6 +86,7 @@ class VertexRing {
   };
 
   [[nodiscard]] bool is_smooth() const noexcept;
+  [[nodiscard]] bool wears_off() const noexcept;
   void sharpen_boundary(CornerRule corners) noexcept;
   [[nodiscard]] Point smooth_centre() const noexcept;
   void add_moved_centre(double weight, Rule rule, const SharpEdges& sharp,

@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "subdivision/sharpness.h"
 #include "subdivision/vertex_ring.h"
 
@@ -32,18 +30,6 @@ struct Wave {
     return {cosine * by.cosine - sine * by.sine, sine * by.cosine + cosine * by.sine};
   }
 };
-
-glm::dvec3 unit_normal(const Point& tangent, const Point& other) noexcept {
-  const glm::dvec3 a = to_vec3(tangent);
-  const glm::dvec3 b = to_vec3(other);
-  const glm::dvec3 normal = glm::cross(a, b);
-  const double square = glm::dot(normal, normal);
-  constexpr double kLeastSine = 1e-12;
-  // Written so that a length that is no number fails too.
-  return square > kLeastSine * kLeastSine * glm::dot(a, a) * glm::dot(b, b)
-             ? normal / std::sqrt(square)
-             : glm::dvec3(0.0);
-}
 
 /// Weights of the points of a ring with one sharp edge, edge 0.
 struct DartMask {
@@ -143,23 +129,27 @@ void settle(DartMask& mask, MaskKind kind) {
 
 }  // namespace
 
+bool VertexRing::wears_off() const noexcept {
+  return is_semi_sharp(vertex_sharpness_) || std::ranges::any_of(edge_sharpness_, is_semi_sharp);
+}
+
+void VertexRing::step_until_worn(CreasingMethod method, CornerRule corners) {
+  sharpen_boundary(corners);
+  while (wears_off()) {
+    step_sharp(method);
+  }
+}
+
 LimitPoint VertexRing::limit(CreasingMethod method, CornerRule corners) const {
-  const auto wears_off = [](const VertexRing& ring) {
-    return is_semi_sharp(ring.vertex_sharpness_) ||
-           std::ranges::any_of(ring.edge_sharpness_, is_semi_sharp);
-  };
   const bool is_sharpened =
       !is_boundary() ||
       (is_infinite(edge_sharpness_.front()) && is_infinite(edge_sharpness_.back()) &&
        (face_count() > 1 || corners == CornerRule::kSmooth || is_infinite(vertex_sharpness_)));
-  if (is_sharpened && !wears_off(*this)) {
+  if (is_sharpened && !wears_off()) {
     return limit_without_wear();
   }
   VertexRing worn = *this;
-  worn.sharpen_boundary(corners);
-  while (wears_off(worn)) {
-    worn.step_sharp(method);
-  }
+  worn.step_until_worn(method, corners);
   return worn.limit_without_wear();
 }
 

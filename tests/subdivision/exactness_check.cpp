@@ -160,6 +160,32 @@ Exactness UniformReference::compare(const VertexLabels& labels, const Subdivisio
   return compare_faulty(labels, settings, levels, [](RefinedMesh&) {});
 }
 
+std::vector<ReferenceMesh::Vertex> UniformReference::references(const VertexLabels& labels,
+                                                                const SubdivisionSettings& settings,
+                                                                int levels) const {
+  const ReferenceMesh reference = reference_refinement(hierarchy_, labels, levels);
+  SubdivisionSettings at_level = settings;
+  at_level.points = SurfacePoints::kLevel;
+  const auto refined_generic = refined(scattered_, labels, at_level, levels);
+  if (!refined_generic || refined_generic->vertex_count() != reference.vertices.size()) {
+    return {};
+  }
+  std::vector<glm::dvec3> points;
+  for (const ReferenceMesh::Vertex& vertex : reference.vertices) {
+    points.push_back(uniform_scattered_[static_cast<std::size_t>(vertex.level)][vertex.index]);
+  }
+  const auto matching =
+      matched(points, reference.vertices, *refined_generic, tolerance_of(scattered_));
+  if (!matching || !matching->is_unique) {
+    return {};
+  }
+  std::vector<ReferenceMesh::Vertex> found(reference.vertices.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[matching->numbers[i]] = reference.vertices[i];
+  }
+  return found;
+}
+
 Exactness UniformReference::compare_faulty(const VertexLabels& labels,
                                            const SubdivisionSettings& settings, int levels,
                                            const std::function<void(RefinedMesh&)>& fault) const {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "limn/subdivision/label_subdivision.h"
 #include "support/opensubdiv_reference.h"
@@ -32,6 +33,16 @@ class UniformReference {
   [[nodiscard]] Exactness compare_faulty(const VertexLabels& labels,
                                          const SubdivisionSettings& settings, int levels,
                                          const std::function<void(RefinedMesh&)>& fault) const;
+
+  /// Which vertex of the hierarchy each refined vertex is. None where they cannot be told apart.
+  [[nodiscard]] std::vector<ReferenceMesh::Vertex> references(const VertexLabels& labels,
+                                                              const SubdivisionSettings& settings,
+                                                              int levels) const;
+  [[nodiscard]] const UniformHierarchy& hierarchy() const noexcept { return hierarchy_; }
+  /// `[level][vertex]`.
+  [[nodiscard]] const std::vector<std::vector<glm::dvec3>>& positions() const noexcept {
+    return uniform_;
+  }
 
  private:
   const ControlMesh* mesh_;

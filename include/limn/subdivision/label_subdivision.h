@@ -24,21 +24,22 @@ namespace limn {
                                                 const SubdivisionSettings& settings,
                                                 Progress& progress);
 
-/// Where a refinement stops, and where it is refused.
+/// Where a refinement stops, where it is refused, and what it gives besides.
 struct RefineLimits {
   int levels = kAllLevels;  ///< Stop after so many steps: 1 is "one level only".
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
+  bool normals = false;  ///< Fill RefinedMesh::normals.
 };
 
 /// Label-driven adaptive Catmull-Clark subdivision (Yong & Cheng 2005, with Kobbelt's Y-elements).
 ///
 /// `labels` must be legal (from `legal_labels`). Crack-free: an edge is split exactly when one of
 /// its ends is positive. Exact: every vertex that was made or last moved at level k lies at its
-/// position P_k of uniform Catmull-Clark. Boundaries follow the cubic B-spline; the mesh's creases
-/// and corners hold for as many levels as they are sharp (DeRose, Kass & Truong 1998). The same
-/// input gives the same bytes for any number of threads. Time and memory are proportional to the
-/// output.
-/// Errors: kOverBudget (before any work, with the exact count), kCancelled.
+/// position P_k of uniform Catmull-Clark, or with SurfacePoints::kLimit where these tend to.
+/// Boundaries follow the cubic B-spline; the mesh's creases and corners hold for as many levels as
+/// they are sharp (DeRose, Kass & Truong 1998). The same input gives the same bytes for any number
+/// of threads. Time and memory are proportional to the output. Errors: kOverBudget (before any
+/// work, with the exact count), kCancelled.
 [[nodiscard]] Result<RefinedMesh> refine(const ControlMesh& mesh, const VertexLabels& labels,
                                          const SubdivisionSettings& settings,
                                          const RefineLimits& limits, Progress& progress);
