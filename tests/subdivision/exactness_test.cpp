@@ -10,6 +10,7 @@
 
 #include "exactness_check.h"
 #include "limn/mesh/import.h"
+#include "support/attribute_shapes.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/shapes.h"
@@ -105,6 +106,21 @@ TEST(Exactness, HoldsOnRandomQuadMeshes) {
     }
     const MeshPointer mesh = test::control_mesh(test::jittered(soup, 0.2, random));
     expect_exact(*mesh, fmt::format("random mesh {}", i), 6, random);
+  }
+}
+
+TEST(Exactness, HoldsOnCreasedShapes) {
+  test::Random random(6);
+  for (const auto& [name, mesh] : test::creased_shapes()) {
+    expect_exact(*mesh, name, 2, random);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const MeshPointer quads =
+        test::control_mesh(test::jittered(test::torus_soup(8, 6), 0.1, random));
+    const MeshPointer mixed = test::control_mesh(
+        test::jittered(test::with_mixed_faces(test::grid_soup(6, 6), random), 0.1, random));
+    expect_exact(*test::with_random_creases(*quads, 0.2, 0.05, random), "creased torus", 4, random);
+    expect_exact(*test::with_random_creases(*mixed, 0.2, 0.05, random), "creased mix", 4, random);
   }
 }
 

@@ -1,0 +1,87 @@
+// Refining again into a result that is there allocates nothing. This program counts what operator
+// new is asked for; it is a program of its own, since that replaces the allocator.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include <gtest/gtest.h>
+
+#include "limn/subdivision/label_subdivision.h"
+#include "support/attribute_shapes.h"
+#include "support/shapes.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* allocate(std::size_t bytes, std::size_t alignment) {
+  ++allocations;
+  const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
+  void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded);
+  if (memory == nullptr) {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+  return allocate(bytes, alignof(std::max_align_t));
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace limn {
+namespace {
+
+void expect_no_allocation(const ControlMesh& mesh, const SubdivisionSettings& settings) {
+  test::Random random(91);
+  IgnoreProgress progress;
+  const auto labels =
+      legal_labels(mesh, test::random_depths(mesh, 0.3, 4, random), settings, progress);
+  ASSERT_TRUE(labels);
+  Refiner refiner;
+  RefinedMesh result;
+  const std::size_t before_first = allocations;
+  ASSERT_TRUE(refiner.refine(mesh, labels->labels, settings, {}, progress, result));
+  EXPECT_GT(allocations, before_first);
+  const std::size_t before_second = allocations;
+  const bool is_done =
+      static_cast<bool>(refiner.refine(mesh, labels->labels, settings, {}, progress, result));
+  const std::size_t after = allocations;
+  EXPECT_TRUE(is_done);
+  EXPECT_EQ(after - before_second, 0u);
+}
+
+TEST(Refiner, AllocatesNothingTheSecondTime) {
+  test::Random random(92);
+  expect_no_allocation(*test::control_mesh(test::torus_soup(40, 30)), {});
+  SubdivisionSettings where_painted;
+  where_painted.non_quads = NonQuadRule::kWherePainted;
+  expect_no_allocation(*test::control_mesh(test::with_mixed_faces(test::grid_soup(20, 20), random)),
+                       where_painted);
+}
+
+TEST(Refiner, AllocatesNothingTheSecondTimeForCreasesAndTexture) {
+  test::Random random(93);
+  const auto torus = test::control_mesh(test::torus_soup(10, 8));
+  const auto creased = test::with_random_creases(*torus, 0.2, 0.05, random);
+  expect_no_allocation(*test::with_random_charts(*creased, 5, random), {});
+}
+
+}  // namespace
+}  // namespace limn
