@@ -221,6 +221,22 @@ bool Session::perform_subdivision(const ui::Action& action) {
       settings.corners = CornerRule::kSmooth;
       change_settings(settings);
       return true;
+    case kPointsLevel:
+      settings.points = SurfacePoints::kLevel;
+      change_settings(settings);
+      return true;
+    case kPointsLimit:
+      settings.points = SurfacePoints::kLimit;
+      change_settings(settings);
+      return true;
+    case kTextureSmoothInside:
+      settings.texture = TextureRule::kSmoothInside;
+      change_settings(settings);
+      return true;
+    case kTextureLinear:
+      settings.texture = TextureRule::kLinear;
+      change_settings(settings);
+      return true;
     default:
       return false;
   }

@@ -110,6 +110,15 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
   add_choice<CornerRule>(command, "--corners", options.corners,
                          {{"sharp", CornerRule::kSharp}, {"smooth", CornerRule::kSmooth}},
                          "Boundary vertices with one face: sharp (they stay) or smooth");
+  add_choice<SurfacePoints>(command, "--positions", options.points,
+                            {{"level", SurfacePoints::kLevel}, {"limit", SurfacePoints::kLimit}},
+                            "Vertices where uniform subdivision to their level puts them (level), "
+                            "or on the limit surface (limit)");
+  add_choice<TextureRule>(
+      command, "--texture", options.texture,
+      {{"smooth-inside", TextureRule::kSmoothInside}, {"linear", TextureRule::kLinear}},
+      "Texture coordinates: smooth-inside (straight along seams and "
+      "boundaries) or linear");
   command.add_option("--levels", options.levels, "Stop after N steps")
       ->type_name("N")
       ->check(CLI::Range(0, kAllLevels))
@@ -149,6 +158,8 @@ Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFa
   document.settings.legalisation = options.legalisation.value_or(document.settings.legalisation);
   document.settings.non_quads = options.non_quads.value_or(document.settings.non_quads);
   document.settings.corners = options.corners.value_or(document.settings.corners);
+  document.settings.points = options.points.value_or(document.settings.points);
+  document.settings.texture = options.texture.value_or(document.settings.texture);
 
   for (const CreaseRule& rule : options.creases) {
     crease_command(document, rule)->apply(document);

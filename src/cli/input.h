@@ -29,6 +29,8 @@ struct PaintingOptions {
   std::optional<LegalisationMethod> legalisation;
   std::optional<NonQuadRule> non_quads;
   std::optional<CornerRule> corners;
+  std::optional<SurfacePoints> points;
+  std::optional<TextureRule> texture;
   int levels = kAllLevels;
   std::uint64_t face_budget = 50'000'000;
   int threads = 0;  ///< 0: as many as the machine has.
@@ -37,7 +39,8 @@ struct PaintingOptions {
 /// Adds the positional IN.
 void add_input_option(CLI::App& command, std::string& input);
 
-/// Adds IN, --paint, --crease, --legalize, --non-quads, --corners, --levels, --budget and
+/// Adds IN, --paint, --crease, --legalize, --non-quads, --corners, --positions, --texture,
+/// --levels, --budget and
 /// --threads.
 void add_painting_options(CLI::App& command, PaintingOptions& options);
 

@@ -65,6 +65,10 @@ enum class ActionId : std::uint8_t {
   kNonQuadsWherePainted,
   kCornersSharp,
   kCornersSmooth,
+  kPointsLevel,
+  kPointsLimit,
+  kTextureSmoothInside,
+  kTextureLinear,
 
   // Display
   kShowControl,

@@ -94,6 +94,21 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kCornersSmooth, kRefine, kNothing, "Round corners off",
      "A boundary corner that belongs to one face is rounded off with the rest of the boundary."},
 
+    {kPointsLevel, kRefine, kNothing, "Vertices at their level",
+     "Each vertex lies where uniform subdivision to its level puts it, so that going on "
+     "subdividing "
+     "gives the same surface."},
+    {kPointsLimit, kRefine, kNothing, "Vertices on the limit",
+     "Each vertex lies on the surface that endless subdivision would give: fewer levels come as "
+     "close. For a mesh that is not subdivided any further."},
+    {kTextureSmoothInside, kRefine, kNothing, "Smooth texture inside",
+     "Texture coordinates are smoothed as the surface is, but stay straight along seams and "
+     "boundaries."},
+    {kTextureLinear, kRefine, kNothing, "Linear texture",
+     "Texture coordinates are spread evenly in every face: nothing slides, but the texture bends "
+     "at "
+     "the edges of the control mesh."},
+
     {kShowControl, kDisplay, kNothing, "Show control mesh",
      "Show the mesh you paint, coloured by depth."},
     {kShowRefined, kDisplay, kNothing, "Show refined mesh",

@@ -33,6 +33,9 @@ bool is_available(const Model& model, const Action& action) {
       return model.refinement.result.has_value() && !model.refinement.running;
     case ActionId::kClearCreases:
       return model.statistics.crease_edges + model.statistics.sharp_vertices > 0;
+    case ActionId::kTextureSmoothInside:
+    case ActionId::kTextureLinear:
+      return model.statistics.uv_points > 0;
     case ActionId::kPickDepth:
     case ActionId::kFrameHovered:
       return model.hover.has_value();
@@ -73,6 +76,14 @@ bool is_checked(const Model& model, const Action& action) {
       return settings.corners == CornerRule::kSharp;
     case ActionId::kCornersSmooth:
       return settings.corners == CornerRule::kSmooth;
+    case ActionId::kPointsLevel:
+      return settings.points == SurfacePoints::kLevel;
+    case ActionId::kPointsLimit:
+      return settings.points == SurfacePoints::kLimit;
+    case ActionId::kTextureSmoothInside:
+      return settings.texture == TextureRule::kSmoothInside;
+    case ActionId::kTextureLinear:
+      return settings.texture == TextureRule::kLinear;
     case ActionId::kShowControl:
       return display.show == ShowMode::kControl;
     case ActionId::kShowRefined:

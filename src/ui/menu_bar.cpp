@@ -103,6 +103,14 @@ void mesh_menu(PanelContext& context) {
     items(context, {kCornersSharp, kCornersSmooth});
     ImGui::EndMenu();
   }
+  if (begin_menu(context, "Vertices")) {
+    items(context, {kPointsLevel, kPointsLimit});
+    ImGui::EndMenu();
+  }
+  if (begin_menu(context, "Texture coordinates")) {
+    items(context, {kTextureSmoothInside, kTextureLinear});
+    ImGui::EndMenu();
+  }
   ImGui::Separator();
   items(context, {kApply, kRevert});
   ImGui::EndMenu();

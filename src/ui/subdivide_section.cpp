@@ -101,6 +101,13 @@ void draw_subdivide_section(PanelContext& context) {
   action_choice(context,
                 std::array{Choice{kCornersSharp, "Stay"}, Choice{kCornersSmooth, "Round off"}});
 
+  sub_heading(context, "Vertices");
+  action_choice(context, std::array{Choice{kPointsLevel, "At their level"},
+                                    Choice{kPointsLimit, "On the limit"}});
+  sub_heading(context, "Texture coordinates");
+  action_choice(context, std::array{Choice{kTextureSmoothInside, "Smooth inside"},
+                                    Choice{kTextureLinear, "Linear"}});
+
   sub_heading(context, "Control mesh");
   const float gap = context.px(6);
   const float width = std::floor((room() - gap) * 0.4F);

@@ -136,6 +136,18 @@ TEST_F(SessionTest, CreasesEdgesOverTheThreshold) {
   EXPECT_EQ(session_.document().control, session_.document().opened);
 }
 
+TEST_F(SessionTest, SettingsOfVerticesAndTextureAreUndoable) {
+  session_.perform(kPointsLimit);
+  session_.perform(kTextureLinear);
+  EXPECT_EQ(session_.document().settings.points, SurfacePoints::kLimit);
+  EXPECT_EQ(session_.document().settings.texture, TextureRule::kLinear);
+  session_.perform(kTextureSmoothInside);
+  session_.perform(kPointsLevel);
+  EXPECT_EQ(session_.document().settings, SubdivisionSettings{});
+  session_.perform(kUndo);
+  EXPECT_EQ(session_.document().settings.points, SurfacePoints::kLimit);
+}
+
 TEST_F(SessionTest, AMeshsBoundaryRuleIsHonoured) {
   const std::string path = folder_.file("round.obj");
   std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt interpolateboundary "

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "limn/mesh/import.h"
@@ -140,6 +141,52 @@ TEST(Refine, WritesTheBoundaryRuleInForce) {
   }
   const ProgramRun closed = limn({"refine", "cube", "--paint", "all:+1", "-o", "-"});
   EXPECT_THAT(closed.out, testing::Not(HasSubstr("interpolateboundary")));
+}
+
+TEST(Refine, PositionsOnTheLimitDoNotDependOnTheLevel) {
+  const auto corners = [](const char* depth, const char* positions) {
+    const ProgramRun run =
+        limn({"refine", "cube", "--paint", depth, "--positions", positions, "-o", "-"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const auto mesh = import_obj(run.out, "out").value().mesh;
+    return std::vector<glm::dvec3>(mesh->positions().begin(), mesh->positions().begin() + 8);
+  };
+  const auto one = corners("all:=1", "limit");
+  const auto two = corners("all:=2", "limit");
+  const auto level = corners("all:=1", "level");
+  for (std::size_t v = 0; v < 8; ++v) {
+    EXPECT_LT(glm::distance(one[v], two[v]), 1e-6);
+    EXPECT_GT(glm::distance(one[v], level[v]), 0.01);
+  }
+}
+
+TEST(Refine, TextureIsSmoothInsideOrLinear) {
+  // Two by two squares whose middle is drawn aside on the texture.
+  std::string text;
+  for (int i = 0; i < 9; ++i) {
+    const std::string x = std::to_string(i % 3);
+    const std::string y = std::to_string(i / 3);
+    text += "v " + x + " " + y + " 0\nvt " + (i == 4 ? "1.5 1.5" : x + " " + y) + "\n";
+  }
+  text += "f 1/1 2/2 5/5 4/4\nf 2/2 3/3 6/6 5/5\nf 4/4 5/5 8/8 7/7\nf 5/5 6/6 9/9 8/8\n";
+  const auto middle = [&](const char* rule) {
+    const ProgramRun run =
+        limn({"refine", "-", "--paint", "all:=1", "--texture", rule, "-o", "-"}, text);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const auto mesh = import_obj(run.out, "out").value().mesh;
+    for (std::size_t c = 0; c < mesh->topology().corner_vertices.size(); ++c) {
+      if (mesh->topology().corner_vertices[c] == 4) {
+        return mesh->texture().values[mesh->texture().corner_values[c]];
+      }
+    }
+    return glm::dvec2(-1.0);
+  };
+  EXPECT_EQ(middle("linear"), glm::dvec2(1.5));
+  // At valence 4 half of a point stays, the rest is the mean of its neighbours and that of the
+  // faces' centroids.
+  const glm::dvec2 smooth = middle("smooth-inside");
+  EXPECT_NEAR(smooth.x, 0.5 * 1.5 + 0.25 * 1.0 + 0.25 * (1.0 + 0.5 / 4.0), 1e-6);
+  EXPECT_EQ(smooth.x, smooth.y);
 }
 
 TEST(Refine, CreasesEdgesByRules) {

@@ -355,7 +355,8 @@ TEST(Panels, EveryActionIsReachable) {
     screen.key(Key::kEscape);
     screen.settle();
   }
-  for (const char* sub_menu : {"menu: Faces that are not quads", "menu: Boundary corners"}) {
+  for (const char* sub_menu : {"menu: Faces that are not quads", "menu: Boundary corners",
+                               "menu: Vertices", "menu: Texture coordinates"}) {
     screen.click("menu: Mesh");
     screen.click(sub_menu);
     screen.settle();
