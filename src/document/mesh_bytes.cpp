@@ -36,7 +36,7 @@ std::size_t topology_bytes(const FlatTopology& topology) {
          array_bytes(topology.edge_vertices) + array_bytes(topology.edge_corners) +
          array_bytes(topology.corner_twins) + array_bytes(topology.vertex_offsets) +
          array_bytes(topology.vertex_corners) + array_bytes(topology.corner_ranks) +
-         array_bytes(topology.quad_rings);
+         array_bytes(topology.irregular_vertices) + array_bytes(topology.quad_rings);
 }
 
 }  // namespace

@@ -62,6 +62,25 @@ void order_corners(FlatTopology& flat, std::size_t vertices) {
   LIMN_EXPECTS(flat.vertex_corners.size() == corners);
 }
 
+std::span<const std::uint32_t> corners_around(const FlatTopology& flat, std::size_t v) {
+  return std::span(flat.vertex_corners)
+      .subspan(flat.vertex_offsets[v], flat.vertex_offsets[v + 1] - flat.vertex_offsets[v]);
+}
+
+bool is_regular(const FlatTopology& flat, std::span<const std::uint32_t> corners) {
+  const bool is_boundary = flat.corner_twins[corners[0]] == kNone;
+  return corners.size() == (is_boundary ? 2 : 4) &&
+         std::ranges::all_of(corners, [&flat](std::uint32_t c) { return is_quad(flat, c); });
+}
+
+void list_irregular_vertices(FlatTopology& flat) {
+  for (std::uint32_t v = 0; v + 1 < flat.vertex_offsets.size(); ++v) {
+    if (!is_regular(flat, corners_around(flat, v))) {
+      flat.irregular_vertices.push_back(v);
+    }
+  }
+}
+
 /// The three vertices of a quad's ring at one of its corners.
 std::array<std::uint32_t, 3> ring_at(const FlatTopology& flat, std::uint32_t corner) {
   std::array<std::uint32_t, 3> ring{kNone, kNone, kNone};
@@ -74,12 +93,8 @@ std::array<std::uint32_t, 3> ring_at(const FlatTopology& flat, std::uint32_t cor
   if (beside != kNone) {
     ring[1] = flat.corner_vertices[previous(flat, beside)];
   }
-  const std::uint32_t v = flat.corner_vertices[corner];
-  const auto around =
-      std::span(flat.vertex_corners)
-          .subspan(flat.vertex_offsets[v], flat.vertex_offsets[v + 1] - flat.vertex_offsets[v]);
-  if (around.size() == 4 && flat.corner_twins[around[0]] != kNone &&
-      std::ranges::all_of(around, [&flat](std::uint32_t c) { return is_quad(flat, c); })) {
+  const auto around = corners_around(flat, flat.corner_vertices[corner]);
+  if (around.size() == 4 && is_regular(flat, around)) {
     const std::uint32_t across = around[(flat.corner_ranks[corner] + 2) % 4];
     ring[2] = flat.corner_vertices[next(flat, next(flat, across))];
   }
@@ -107,6 +122,7 @@ void surround_quads(FlatTopology& flat) {
 void complete_topology(FlatTopology& flat, std::size_t vertices) {
   pair_corners(flat);
   order_corners(flat, vertices);
+  list_irregular_vertices(flat);
   surround_quads(flat);
 }
 

@@ -91,12 +91,16 @@ struct Fan {
   }
 };
 
-[[nodiscard]] inline Fan fan_of(const Cage& cage, std::uint32_t v) noexcept {
+[[nodiscard]] inline std::span<const std::uint32_t> corners_around(const Cage& cage,
+                                                                   std::uint32_t v) noexcept {
   const FlatTopology& topology = *cage.topology;
   const std::uint32_t first = topology.vertex_offsets[v];
-  const std::uint32_t* corners = topology.vertex_corners.data() + first;
-  return {{corners, topology.vertex_offsets[v + 1] - first},
-          topology.corner_twins[corners[0]] == kNone};
+  return {topology.vertex_corners.data() + first, topology.vertex_offsets[v + 1] - first};
+}
+
+[[nodiscard]] inline Fan fan_of(const Cage& cage, std::uint32_t v) noexcept {
+  const std::span<const std::uint32_t> corners = corners_around(cage, v);
+  return {corners, cage.topology->corner_twins[corners[0]] == kNone};
 }
 
 }  // namespace limn

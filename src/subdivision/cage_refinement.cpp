@@ -16,16 +16,15 @@ void CageRefinement::begin(const Cage& cage, std::span<const glm::dvec3> points,
 
 RefinedCounts CageRefinement::number(Sweep& sweep) {
   greatest_of_all_ = labels_.empty() ? std::uint8_t{0} : *std::ranges::max_element(labels_);
-  find_greatest_labels(sweep, cage_, labels_, greatest_);
-  return numbering_.build(sweep, cage_, labels_, greatest_);
+  return numbering_.build(sweep, cage_, labels_);
 }
 
 void CageRefinement::run_rings(Sweep& sweep, bool with_limits) {
-  rings_.build(sweep, cage_, greatest_, with_limits);
+  rings_.build(sweep, cage_, numbering_.greatest(), with_limits);
 }
 
 void CageRefinement::place_resting(Sweep& sweep, const RefinedArrays& arrays) {
-  place_resting_vertices(sweep, cage_, labels_, greatest_, rings_, arrays, owners_);
+  place_resting_vertices(sweep, cage_, labels_, numbering_.greatest(), rings_, arrays, owners_);
 }
 
 }  // namespace limn

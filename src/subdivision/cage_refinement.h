@@ -33,14 +33,13 @@ class CageRefinement {
   void place_resting(Sweep& sweep, const RefinedArrays& arrays);
 
   [[nodiscard]] RefinementPlan plan() const noexcept {
-    return {cage_, labels_, greatest_, greatest_of_all_, &numbering_, &rings_, owners_};
+    return {cage_, labels_, numbering_.greatest(), greatest_of_all_, &numbering_, &rings_, owners_};
   }
 
  private:
   Cage cage_;
   LargeArray<Point> points_;
   LargeArray<std::uint8_t> labels_;
-  LargeArray<std::uint8_t> greatest_;
   std::uint8_t greatest_of_all_ = 0;
   LargeArray<std::uint32_t> owners_;
   Numbering numbering_;

@@ -233,8 +233,8 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
   const FlatTopology& topology = *cage.topology;
   sweep.each(cage.vertex_count(), [&](std::size_t i) {
     const auto v = static_cast<std::uint32_t>(i);
-    const Fan fan = fan_of(cage, v);
-    owners[v] = fan.corners.front();
+    const std::span<const std::uint32_t> corners = corners_around(cage, v);
+    owners[v] = corners.front();
     if (labels[v] > 0) {
       return;
     }
@@ -243,8 +243,8 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
              (labels[topology.corner_vertices[cage.next(corner)]] |
               labels[topology.corner_vertices[cage.previous(corner)]]) != 0;
     };
-    const auto mover = std::ranges::find_if(fan.corners, moves);
-    if (mover != fan.corners.end()) {
+    const auto mover = std::ranges::find_if(corners, moves);
+    if (mover != corners.end()) {
       owners[v] = *mover;
     } else {
       owners[v] = kNone;

@@ -40,6 +40,14 @@ FaceCounts counts_of(const FaceLabels& labels) {
   return counts;
 }
 
+std::uint8_t greatest_of(const FaceLabels& labels) {
+  std::uint8_t greatest = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    greatest = std::max(greatest, labels[i]);
+  }
+  return greatest;
+}
+
 /// Of a face with a positive label.
 Sizes sizes_of(const Cage& cage, std::span<const std::uint8_t> all, std::size_t f) {
   const FaceLabels labels(cage, all, f);
@@ -53,23 +61,11 @@ Sizes sizes_of(const Cage& cage, std::span<const std::uint8_t> all, std::size_t 
 
 }  // namespace
 
-void find_greatest_labels(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                          LargeArray<std::uint8_t>& greatest) {
-  greatest.resize(cage.face_count());
-  sweep.each(cage.face_count(), [&](std::size_t f) {
-    const FaceLabels face(cage, labels, f);
-    std::uint8_t most = 0;
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      most = std::max(most, face[i]);
-    }
-    greatest[f] = most;
-  });
-}
-
-RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                               std::span<const std::uint8_t> greatest) {
+RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
+                               std::span<const std::uint8_t> labels) {
   const std::size_t faces = cage.face_count();
   faces_.resize(faces);
+  greatest_.resize(faces);
   insides_.resize(faces);
   edges_.resize(cage.topology->edge_corners.size());
   polygon_sides_.resize(cage.is_all_quads ? 0 : faces);
@@ -80,10 +76,11 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage, std::span<const s
     return n == 4 ? Sizes{1, 0, 0, 0} : Sizes{0, 0, 1, n};
   };
   const auto sizes = [&](std::size_t f) {
-    return greatest[f] > 0 ? sizes_of(cage, labels, f) : resting(f);
+    greatest_[f] = greatest_of(FaceLabels(cage, labels, f));
+    return greatest_[f] > 0 ? sizes_of(cage, labels, f) : resting(f);
   };
   const Sizes ends = sweep.number(faces, start, sizes, [&](std::size_t f, const Sizes& first) {
-    if (greatest[f] == 0) {
+    if (greatest_[f] == 0) {
       const Sizes size = resting(f);
       faces_[f] = static_cast<std::uint32_t>(first[size[kQuads] > 0 ? kQuads : kPolygons]);
       if (size[kPolygons] > 0) {

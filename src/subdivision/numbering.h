@@ -11,10 +11,6 @@
 // folder.
 namespace limn {
 
-/// The greatest label at the corners of each face: 0 where it stays as it is.
-void find_greatest_labels(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                          LargeArray<std::uint8_t>& greatest);
-
 /// Totals of a refinement.
 struct RefinedCounts {
   std::uint64_t quads = 0;
@@ -28,10 +24,12 @@ struct RefinedCounts {
 /// face.
 class Numbering {
  public:
-  /// Labels as the refinement sees them, one per vertex of the cage, legal; `greatest` of each
-  /// face. Arrays of an earlier build are used again.
-  RefinedCounts build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                      std::span<const std::uint8_t> greatest);
+  /// Labels as the refinement sees them, one per vertex of the cage, legal.
+  /// Arrays of an earlier build are used again.
+  RefinedCounts build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels);
+
+  /// The greatest label at the corners of each face: 0 where it stays as it is.
+  [[nodiscard]] std::span<const std::uint8_t> greatest() const noexcept { return greatest_; }
 
   /// First quad of a face; where it is a polygon that stays, its number among these.
   [[nodiscard]] std::uint32_t first_face(std::size_t f) const noexcept { return faces_[f]; }
@@ -48,6 +46,7 @@ class Numbering {
   LargeArray<std::uint32_t> polygon_sides_;  ///< Empty where all are quads.
   LargeArray<std::uint32_t> insides_;
   LargeArray<std::uint32_t> edges_;
+  LargeArray<std::uint8_t> greatest_;
 };
 
 /// The labels at a face's corners, as a range of any length.

@@ -67,24 +67,50 @@ void RingTables::seed(const Cage& cage, std::uint32_t v, VertexRing& ring) const
 void RingTables::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest,
                        bool with_limits) {
   has_limits_ = with_limits;
-  const std::size_t vertices = cage.vertex_count();
-  const std::size_t polygons = cage.is_all_quads ? 0 : cage.face_count();
   build_centroids(sweep, cage, greatest);
   rows_.build(cage);
-
-  vertex_levels_.resize(vertices);
-  sweep.each(vertices, [&](std::size_t v) {
-    const Fan fan = fan_of(cage, static_cast<std::uint32_t>(v));
+  list_vertices(cage);
+  sweep.each(vertices_.size(), [&](std::size_t i) {
     std::uint8_t levels = 0;
-    for (const std::uint32_t corner : fan.corners) {
+    for (const std::uint32_t corner : corners_around(cage, vertices_[i])) {
       levels = std::max(levels, greatest[cage.face_of(corner)]);
     }
-    const bool has_ring = levels > 0 && is_irregular(cage, static_cast<std::uint32_t>(v), fan);
-    vertex_levels_[v] = has_ring ? levels : std::uint8_t{0};
+    vertex_levels_[vertices_[i]] = levels;
   });
   number_points(sweep, cage);
-  sweep.each(vertices, [&](std::size_t v) { run_vertex(cage, static_cast<std::uint32_t>(v)); });
-  sweep.each(polygons, [&](std::size_t f) { run_face(cage, static_cast<std::uint32_t>(f)); });
+  sweep.each(vertices_.size(), [&](std::size_t i) { run_vertex(cage, vertices_[i]); });
+  sweep.each(face_levels_.size(),
+             [&](std::size_t f) { run_face(cage, static_cast<std::uint32_t>(f)); });
+}
+
+/// All irregular vertices, whether anything around them is refined or not.
+void RingTables::list_vertices(const Cage& cage) {
+  vertex_levels_.resize(cage.vertex_count());
+  vertex_firsts_.clear();
+  vertex_firsts_.resize(cage.vertex_count(), kNone);
+  vertices_.clear();
+  const auto add = [this](std::uint32_t v) {
+    if (vertex_firsts_[v] == kNone) {
+      vertex_firsts_[v] = 0;  // Listed; its number comes later.
+      vertices_.push_back(v);
+    }
+  };
+  const FlatTopology& topology = *cage.topology;
+  std::ranges::for_each(topology.irregular_vertices, add);
+  const bool has_sharp_edges = !cage.creases->edge_sharpness.empty();
+  for (std::uint32_t e = 0; (has_sharp_edges || cage.averaging == Averaging::kPinned) &&
+                            e < topology.edge_corners.size();
+       ++e) {
+    const bool is_boundary = topology.edge_corners[e][1] == kNone;
+    if (is_boundary ? cage.averaging == Averaging::kPinned : cage.edge_sharpness(e) > 0.0f) {
+      std::ranges::for_each(topology.edge_vertices[e], add);
+    }
+  }
+  for (std::uint32_t v = 0; v < cage.creases->vertex_sharpness.size(); ++v) {
+    if (cage.vertex_sharpness(v) > 0.0f) {
+      add(v);
+    }
+  }
 }
 
 void RingTables::build_centroids(Sweep& sweep, const Cage& cage,
@@ -109,23 +135,21 @@ void RingTables::number_points(Sweep& sweep, const Cage& cage) {
   const auto of_ring = [limits](std::uint8_t levels, std::size_t edges) {
     return Sizes{levels == 0 ? 0 : levels * (edges + std::uint64_t{1}) + limits};
   };
-  const auto vertex_points = [&](std::size_t v) {
-    if (vertex_levels_[v] == 0) {
-      return Sizes{0};
-    }
-    const Fan fan = fan_of(cage, static_cast<std::uint32_t>(v));
+  const auto vertex_points = [&](std::size_t i) {
+    const std::uint32_t v = vertices_[i];
+    const Fan fan = fan_of(cage, v);
     return of_ring(vertex_levels_[v], fan.corners.size() + (fan.is_boundary ? 1 : 0));
   };
   const auto face_points = [&](std::size_t f) {
     return of_ring(face_levels_[f], cage.side_count(f));
   };
-  vertex_firsts_.resize(vertex_levels_.size());
   face_firsts_.resize(face_levels_.size());
   Sizes next{0};
-  next = sweep.number(vertex_levels_.size(), next, vertex_points, [&](std::size_t v, Sizes first) {
+  next = sweep.number(vertices_.size(), next, vertex_points, [&](std::size_t i, Sizes first) {
+    const std::uint32_t v = vertices_[i];
     vertex_firsts_[v] =
         vertex_levels_[v] == 0 ? kNone : static_cast<std::uint32_t>(first[0]) + limits;
-    return vertex_points(v);
+    return vertex_points(i);
   });
   next = sweep.number(face_levels_.size(), next, face_points, [&](std::size_t f, Sizes first) {
     face_firsts_[f] = face_levels_[f] == 0 ? kNone : static_cast<std::uint32_t>(first[0]) + limits;

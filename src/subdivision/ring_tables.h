@@ -80,12 +80,14 @@ class RingTables {
 
  private:
   void build_centroids(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> greatest);
+  void list_vertices(const Cage& cage);
   void number_points(Sweep& sweep, const Cage& cage);
   void run_vertex(const Cage& cage, std::uint32_t v);
   void run_face(const Cage& cage, std::uint32_t f);
 
+  LargeArray<std::uint32_t> vertices_;       ///< The irregular ones.
   LargeArray<std::uint32_t> vertex_firsts_;  ///< Into points_, kNone: no ring.
-  LargeArray<std::uint8_t> vertex_levels_;   ///< The last level of each ring.
+  LargeArray<std::uint8_t> vertex_levels_;   ///< The last level of each irregular vertex's ring.
   LargeArray<std::uint32_t> face_firsts_;    ///< Likewise for faces; empty where all are quads.
   LargeArray<std::uint8_t> face_levels_;
   LargeArray<Point> centroids_;  ///< Of the faces that are no quads.

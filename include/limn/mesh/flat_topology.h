@@ -32,6 +32,8 @@ struct FlatTopology {
   /// to the other.
   std::vector<std::uint32_t> vertex_corners;
   std::vector<std::uint32_t> corner_ranks;  ///< C, its place among the corners of its vertex.
+  /// Ascending: vertices inside that have not four quads around them, and on the boundary not two.
+  std::vector<std::uint32_t> irregular_vertices;
   /// F, the twelve vertices around a quad, kNone where there is none. Number 3 i + 0 is the end of
   /// the edge that goes on beyond side i from corner i, 3 i + 1 the one beyond side i - 1, and
   /// 3 i + 2 what lies opposite in the quad between these two, where corner i has four quads around
