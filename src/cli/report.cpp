@@ -93,7 +93,7 @@ std::string amount_of(std::size_t count, std::string_view one, std::string_view 
   return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
 }
 
-/// "12 edges (8 up to 2, 4 infinite), 1 vertex".
+/// "12 edges, 1 vertex (9 up to 2, 4 infinite)".
 std::string creases_text(const ControlMesh& mesh, const MeshStatistics& counts) {
   if (counts.crease_edges + counts.sharp_vertices == 0) {
     return "none";
@@ -106,9 +106,8 @@ std::string creases_text(const ControlMesh& mesh, const MeshStatistics& counts) 
                      grouped(by_band[band]), sharpness_band_name(band));
     }
   }
-  return fmt::format("{}{}{}, {}{}", amount_of(counts.crease_edges, "edge", "edges"), bands,
-                     bands.empty() ? "" : ")",
-                     amount_of(counts.sharp_vertices, "vertex", "vertices"),
+  return fmt::format("{}, {}{}){}", amount_of(counts.crease_edges, "edge", "edges"),
+                     amount_of(counts.sharp_vertices, "vertex", "vertices"), bands,
                      mesh.creases().method == CreasingMethod::kChaikin ? ", Chaikin" : "");
 }
 

@@ -34,9 +34,11 @@ const std::array<Rgb, kSharpnessBands>& crease_palette() noexcept {
 
 CreaseCounts count_creases(const ControlMesh& mesh) {
   CreaseCounts counts{};
-  for (const float sharpness : mesh.creases().edge_sharpness) {
-    if (sharpness > 0.0f) {
-      ++counts[sharpness_band(sharpness)];
+  for (const auto* sharpness : {&mesh.creases().edge_sharpness, &mesh.creases().vertex_sharpness}) {
+    for (const float s : *sharpness) {
+      if (s > 0.0f) {
+        ++counts[sharpness_band(s)];
+      }
     }
   }
   return counts;

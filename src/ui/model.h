@@ -182,7 +182,7 @@ struct Model {
   ViewState view{};
 
   DepthCounts depth_counts{};
-  CreaseCounts crease_counts{};                 ///< Control edges by sharpness.
+  CreaseCounts crease_counts{};                 ///< Sharp edges and vertices by how sharp they are.
   double dihedral_threshold = 30.0;             ///< Degrees.
   std::optional<std::size_t> dihedral_faces{};  ///< Faces over the threshold, if counted.
   std::optional<std::size_t> dihedral_edges{};  ///< Edges over the threshold, if counted.

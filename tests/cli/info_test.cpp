@@ -48,7 +48,7 @@ TEST(Info, CountsCreasesAndTexture) {
   EXPECT_EQ(info["mended"]["lost_creases"], 1);
   EXPECT_THAT(run.err, testing::HasSubstr("1 crease tag was left out"));
   const ProgramRun people = limn({"info", "-"}, text);
-  EXPECT_THAT(people.out, testing::HasSubstr("1 edge (1 up to 3), 1 vertex"));
+  EXPECT_THAT(people.out, testing::HasSubstr("1 edge, 1 vertex (1 up to 3, 1 infinite)"));
   EXPECT_THAT(people.out, testing::HasSubstr("4 points, 1 seam edge"));
 }
 

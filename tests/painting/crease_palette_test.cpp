@@ -30,11 +30,12 @@ TEST(CreasePalette, TheSharperTheLighter) {
   }
 }
 
-TEST(CreasePalette, CountsEdgesByBand) {
+TEST(CreasePalette, CountsEdgesAndVerticesByBand) {
   EXPECT_THAT(count_creases(*test::cube()), testing::Each(0U));
   const auto mesh = test::with_tags(
-      test::cube_soup(), {{{0, 1}, 0.5F}, {{1, 2}, 2.0F}, {{2, 3}, 1.5F}, {{3, 0}, 10.0F}});
-  EXPECT_THAT(count_creases(*mesh), testing::ElementsAre(1, 2, 0, 0, 0, 1));
+      test::cube_soup(), {{{0, 1}, 0.5F}, {{1, 2}, 2.0F}, {{2, 3}, 1.5F}, {{3, 0}, 10.0F}},
+      {{5, 3.5F}});
+  EXPECT_THAT(count_creases(*mesh), testing::ElementsAre(1, 2, 0, 1, 0, 1));
 }
 
 }  // namespace

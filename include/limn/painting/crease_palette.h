@@ -21,7 +21,7 @@ inline constexpr std::size_t kSharpnessBands = 6;
 /// also by people with any of the three colour-vision deficiencies.
 [[nodiscard]] const std::array<Rgb, kSharpnessBands>& crease_palette() noexcept;
 
-/// How many edges of a control mesh are in each band.
+/// How many edges and vertices of a control mesh are in each band.
 using CreaseCounts = std::array<std::size_t, kSharpnessBands>;
 [[nodiscard]] CreaseCounts count_creases(const ControlMesh& mesh);
 
