@@ -40,8 +40,8 @@ struct NamedShape {
 
 /// One chart over an open grid, one around a cube unfolded to a cross, a torus cut open along two
 /// loops, a chart per face, two charts of which one is flipped over, a seam that ends inside the
-/// surface, charts that touch in a point only, faces that are no quads, a seam with the same points on
-/// both sides (under two numbers), and texture together with creases.
+/// surface, charts that touch in a point only, faces that are no quads, a seam with the same points
+/// on both sides (under two numbers), and texture together with creases.
 [[nodiscard]] std::vector<NamedShape> textured_shapes();
 
 /// Cuts the surface into charts at random: each edge whose faces `charts` numbers differently is a
