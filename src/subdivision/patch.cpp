@@ -10,6 +10,7 @@
 #include "subdivision/parallel_ranges.h"
 #include "subdivision/patch_levels.h"
 #include "subdivision/patch_limits.h"
+#include "subdivision/tensor_limit.h"
 
 namespace limn {
 namespace {
@@ -20,7 +21,7 @@ constexpr int kGridLevels = 6;
 constexpr std::size_t kGridSide = (std::size_t{1} << kGridLevels) + 1;          ///< Vertices.
 constexpr std::size_t kStoredSide = (std::size_t{1} << (kGridLevels - 1)) + 3;  ///< With a ring.
 constexpr std::size_t kLastSide = kGridSide + 2;  ///< Of the last level, which limits are from.
-static_assert(kGridSide - 2 <= kLongestInnerRow);
+static_assert(kGridSide <= kLongestRow);
 /// Children of nodes with so many quads are worth a task of their own.
 constexpr std::uint32_t kParallelQuads = std::uint32_t{1} << 17;
 
@@ -411,7 +412,7 @@ void PatchWriter::write_uniform(const Node& node, const GridView& grid) const {
   const int level = last.level + 1;
   const std::size_t inner = (n - 1) * (n - 1);
   float* points = arrays_->points + arrays_->width * node.inside;
-  for (std::size_t row = 2; row <= n && !arrays_->has_limit_points; ++row) {
+  for (std::size_t row = 2; row <= n && !arrays_->takes_limits(); ++row) {
     const auto write_row = patch_->is_bilinear ? bilinear_inner_row : refine_inner_row;
     write_row(last.grid, row, points, arrays_->width);
     points += arrays_->width * (n - 1);

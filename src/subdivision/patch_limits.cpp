@@ -135,12 +135,12 @@ LimitPoint limit_in_patch(const Patch& patch, const PatchGrid& at, const GridPla
 void put_uniform_limits(const Patch& patch, const Node& node, const PatchGrid& last,
                         const RefinedArrays& arrays) {
   const std::size_t n = last.grid.n;
-  for (std::size_t row = 1; row < n; ++row) {
-    const std::size_t first = 3 * (node.inside + (row - 1) * (n - 1));
-    limit_inner_row(last.grid, row,
-                    {arrays.has_limit_points ? arrays.points + first : nullptr,
-                     arrays.normals == nullptr ? nullptr : arrays.normals + first});
+  const std::size_t first = std::size_t{3} * node.inside;
+  for (std::size_t row = 1; row < n && !arrays.has_limit_points; ++row) {
+    copy_inner_row(last.grid, row, arrays.points + first + 3 * (row - 1) * (n - 1));
   }
+  limit_inner_rows(last.grid, {arrays.has_limit_points ? arrays.points + first : nullptr,
+                               arrays.normals == nullptr ? nullptr : arrays.normals + first});
   const std::array<GridPlace, 4> corners{{{0, 0}, {n, 0}, {n, n}, {0, n}}};
   for (std::size_t i = 0; i < 4; ++i) {
     if (has(node.owned_corners, i)) {

@@ -20,7 +20,8 @@ struct GridPlace {
 [[nodiscard]] LimitPoint limit_in_patch(const Patch& patch, const PatchGrid& at,
                                         const GridPlace& place);
 
-/// The limits of all vertices that a uniform node owns, out of its last level with the ring.
+/// The limits of all vertices that a uniform node owns, out of its last level with the ring; where
+/// positions are not the limit's, of those inside also these.
 void put_uniform_limits(const Patch& patch, const Node& node, const PatchGrid& last,
                         const RefinedArrays& arrays);
 

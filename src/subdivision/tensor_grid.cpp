@@ -2,7 +2,7 @@
 // combined columns are kept in registers while the window slides.
 #include "subdivision/tensor_grid.h"
 
-#include <cstring>
+#include "subdivision/float_writer.h"
 
 namespace limn {
 namespace {
@@ -36,27 +36,6 @@ void with_row(const GridView& grid, std::size_t row, const Body& body) {
     body(VertexRow{first, first + grid.stride, first + 2 * grid.stride});
   }
 }
-
-using FloatPoint [[gnu::vector_size(16)]] = float;
-
-/// Writes points one after the other; lanes that are not wanted are overwritten by the next.
-template <std::size_t kWidth>
-class FloatWriter {
- public:
-  explicit FloatWriter(float* out) : out_(out) {}
-  void put(const Point& point) noexcept {
-    const auto rounded = __builtin_convertvector(point, FloatPoint);
-    std::memcpy(out_, &rounded, (kWidth == 3 ? 4 : kWidth) * sizeof(float));
-    out_ += kWidth;
-  }
-  void put_last(const Point& point) noexcept {
-    const auto rounded = __builtin_convertvector(point, FloatPoint);
-    std::memcpy(out_, &rounded, kWidth * sizeof(float));
-  }
-
- private:
-  float* out_;
-};
 
 template <std::size_t kWidth>
 void write_inner_row(const GridView& grid, std::size_t row, float* out) {
@@ -121,6 +100,15 @@ void refine_inner_row(const GridView& grid, std::size_t row, float* out, std::si
   } else {
     write_inner_row<2>(grid, row, out);
   }
+}
+
+void copy_inner_row(const GridView& grid, std::size_t row, float* out) {
+  const Point* points = grid.points + (row + 1) * grid.stride + 1;
+  FloatWriter<3> writer(out);
+  for (std::size_t x = 1; x + 1 < grid.n; ++x) {
+    writer.put(points[x]);
+  }
+  writer.put_last(points[grid.n - 1]);
 }
 
 void bilinear_inner_row(const GridView& grid, std::size_t row, float* out, std::size_t width) {

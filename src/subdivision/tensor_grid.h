@@ -42,6 +42,9 @@ void bilinear_inner_row(const GridView& grid, std::size_t row, float* out, std::
 /// points, `out_step` apart.
 void refine_curve(const GridLine& line, Point* out, std::size_t out_step);
 
+/// The vertices 1..n - 1 of row `row` of the grid itself, 3 floats each.
+void copy_inner_row(const GridView& grid, std::size_t row, float* out);
+
 /// The point between two, and the new place of a point between two others.
 [[nodiscard]] inline Point curve_edge_point(const Point& a, const Point& b) noexcept {
   return (a + b) * 0.5;

@@ -15,16 +15,17 @@ using PointsAround = std::array<Point, 9>;
 /// The limit of the vertex in the middle.
 [[nodiscard]] LimitPoint tensor_limit(const PointsAround& points);
 
-/// Where what the inner vertices of a row become goes, x after y after z; either may be null.
-struct LimitRow {
+/// Where limits go, x after y after z, row by row; either may be null.
+struct LimitArrays {
   float* positions = nullptr;
   float* normals = nullptr;
 };
 
-/// Inner vertices of the longest row of a grid.
-inline constexpr std::size_t kLongestInnerRow = 63;
+/// Vertices of the longest row of a grid.
+inline constexpr std::size_t kLongestRow = 65;
 
-/// The limits of the vertices 1..n - 1 of row `row`, which is 1..n - 1 as well.
-void limit_inner_row(const GridView& grid, std::size_t row, const LimitRow& out);
+/// The limits of the vertices 1..n - 1 of the rows 1..n - 1. The points of the ring do not matter.
+/// Normals are right to a hundredth of a degree or to what the rounding of points leaves of them.
+void limit_inner_rows(const GridView& grid, const LimitArrays& out);
 
 }  // namespace limn
