@@ -30,6 +30,8 @@ inline constexpr const char* kPeakOption = "--measure-peak=";
 bool print_peak(std::string_view name);
 /// `adaptive/LAYOUT/PERCENT/DEPTH/PROGRAM`: paintings of the largest asteroid.
 void register_adaptive(Extent extent);
+/// `limit/MESH/LEVELS/WISH`: limit positions and normals on top of a refinement.
+void register_limit(Extent extent);
 /// `bounds/KIND/THREADS`: how fast the machine copies and hands out memory.
 void register_bounds(Extent extent);
 /// `picking/QUESTION`: what is under the pointer, on 399,424 quads. There with the program only.

@@ -86,6 +86,7 @@ void register_all(const Arguments& arguments) {
   register_uniform(arguments.extent, arguments.meshes);
   register_memory(arguments.extent);
   register_adaptive(arguments.extent);
+  register_limit(arguments.extent);
 #ifdef LIMN_BENCH_PICKING
   register_picking(arguments.extent);
 #endif

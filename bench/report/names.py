@@ -22,6 +22,13 @@ BOUNDS = {
 
 LAYOUTS = {"patches": "in twelve patches", "scattered": "scattered"}
 
+WISHES = {
+    "level": "positions of the level",
+    "level_and_normals": "and limit normals",
+    "limit": "limit positions",
+    "limit_and_normals": "limit positions and normals",
+}
+
 METHODS = {"greedy": "greedy", "look_ahead": "look-ahead"}
 
 PICKING = {

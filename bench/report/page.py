@@ -2,12 +2,12 @@
 
 from math import log
 
-from names import BOUNDS, LAYOUTS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, works
+from names import BOUNDS, LAYOUTS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, WISHES, works
 
 
 def page(results):
-    sections = [opening, at_a_glance, uniform, memory, adaptive, legalisation, machine_bounds,
-                others, picking, agreement, not_measured, method]
+    sections = [opening, at_a_glance, uniform, memory, adaptive, limit, legalisation,
+                machine_bounds, others, picking, agreement, not_measured, method]
     texts = [section(results) for section in sections]
     return "\n\n".join(text for text in texts if text) + "\n"
 
@@ -245,6 +245,27 @@ def number(value):
     return f"{value:,.0f}" if value == int(value) else f"{value:.4g}"
 
 
+def limit(results):
+    rows = []
+    for mesh, levels in dict.fromkeys((case.path[1], case.path[2])
+                                      for case in results.group("limit")):
+        plain = results.get("limit", mesh, levels, "level")
+        for wish, text in WISHES.items():
+            case = results.get("limit", mesh, levels, wish)
+            if case and plain:
+                rows.append([f"`{mesh}`, {levels} levels" if case is plain else "", text,
+                             milliseconds(case), f"{case.nanoseconds_per_face:.1f}",
+                             f"{case.seconds / plain.seconds:.2f}"])
+    if not rows:
+        return ""
+    head = ["mesh", "asked for", "ms: median (least to most)", "ns a face", "level = 1"]
+    return f"""## The limit
+
+Uniform refinement by Limn into a retained result, one thread, and what limit positions and limit normals of all vertices add to it.
+
+{table(head, rows, words=2)}"""
+
+
 def legalisation(results):
     rows, growth = [], []
     for method, text in METHODS.items():
@@ -274,7 +295,7 @@ Tori of quads of which 5 % are painted at random, one thread. Time grows with th
 
 def others(results):
     """Groups that have no section of their own: every counter of every case."""
-    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement", "legalise"}
+    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement", "legalise", "limit"}
     sections = []
     for group in sorted({case.path[0] for case in results.cases.values()} - known):
         cases = results.group(group)
