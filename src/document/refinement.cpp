@@ -66,8 +66,8 @@ Result<Refinement> derive_refinement(const ControlMesh& control, const VertexLab
   derived.prediction = predict_refinement(control, labels, options.levels);
   const Stopwatch refining;
   PartOf refine_part(progress, 0.0, 0.7);
-  Result<RefinedMesh> mesh =
-      refine(control, labels, options.settings, {options.levels, options.face_budget}, refine_part);
+  Result<RefinedMesh> mesh = refine(control, labels, options.settings,
+                                    {options.levels, options.face_budget, true}, refine_part);
   if (!mesh) {
     return tl::unexpected(std::move(mesh.error()));
   }

@@ -64,7 +64,9 @@ class Goldens : public test::GlFixture {
     IgnoreProgress progress;
     const auto labels = legal_labels(*mesh, depths, {}, progress);
     ASSERT_TRUE(labels);
-    const auto result = refine(*mesh, labels->labels, {}, {}, progress);
+    RefineLimits limits;
+    limits.normals = true;
+    const auto result = refine(*mesh, labels->labels, {}, limits, progress);
     ASSERT_TRUE(result);
     const Surface surface = make_surface(*result, mesh->bounds().centre(), mesh->face_count());
     ASSERT_TRUE(refined->upload(surface, 1));
