@@ -185,7 +185,7 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
     return;
   }
 
-  auto refinement = derive_refinement(
+  auto refinement = source_.derive(
       control, legal, {request.settings, request.levels, request.face_budget}, progress);
   if (!refinement) {
     publish_error(std::move(refinement.error()));

@@ -92,6 +92,7 @@ class RefinementJob {
   void publish(std::uint64_t ticket, Publish&& publish_locked);
 
   std::function<void()> wake_;
+  RefinementSource source_;  ///< The worker's.
 
   mutable std::mutex mutex_;
   mutable std::condition_variable_any changed_;

@@ -1,6 +1,8 @@
 #include "limn/document/refinement.h"
 
 #include <chrono>
+#include <memory>
+#include <mutex>
 #include <string_view>
 #include <utility>
 
@@ -60,22 +62,42 @@ Result<DerivedLabels> derive_labels(const ControlMesh& control,
   return derived;
 }
 
-Result<Refinement> derive_refinement(const ControlMesh& control, const VertexLabels& labels,
-                                     const RefinementOptions& options, Progress& progress) {
+/// One refined mesh that nobody uses, for the next refinement to write over.
+struct RefinementSource::Spare {
+  std::mutex mutex;
+  std::unique_ptr<RefinedMesh> mesh;
+
+  [[nodiscard]] std::unique_ptr<RefinedMesh> take() {
+    const std::lock_guard lock(mutex);
+    return mesh != nullptr ? std::move(mesh) : std::make_unique<RefinedMesh>();
+  }
+  void put_back(std::unique_ptr<RefinedMesh> unused) {
+    const std::lock_guard lock(mutex);
+    mesh = std::move(unused);  // What was there before goes.
+  }
+};
+
+RefinementSource::RefinementSource() : spare_(std::make_shared<Spare>()) {}
+RefinementSource::~RefinementSource() = default;
+
+Result<Refinement> RefinementSource::derive(const ControlMesh& control, const VertexLabels& labels,
+                                            const RefinementOptions& options, Progress& progress) {
   Refinement derived;
   derived.prediction = predict_refinement(control, labels, options.levels);
   const Stopwatch refining;
   PartOf refine_part(progress, 0.0, 0.7);
-  Result<RefinedMesh> mesh = refine(control, labels, options.settings,
-                                    {options.levels, options.face_budget, true}, refine_part);
-  if (!mesh) {
-    return tl::unexpected(std::move(mesh.error()));
+  std::unique_ptr<RefinedMesh> mesh = spare_->take();
+  if (auto done = refiner_.refine(control, labels, options.settings,
+                                  {options.levels, options.face_budget, true}, refine_part, *mesh);
+      !done) {
+    spare_->put_back(std::move(mesh));
+    return tl::unexpected(std::move(done.error()));
   }
-  mesh->creasing = control.creases().method;
-  if (!control.is_closed()) {
-    mesh->corner_rule = options.settings.corners;
-  }
-  derived.mesh = std::make_shared<const RefinedMesh>(*std::move(mesh));
+  derived.mesh = std::shared_ptr<const RefinedMesh>(
+      mesh.release(), [spare = spare_](const RefinedMesh* unused) {
+        // It was made here, and not const.
+        spare->put_back(std::unique_ptr<RefinedMesh>(const_cast<RefinedMesh*>(unused)));
+      });
   derived.refine_seconds = refining.seconds();
 
   if (!progress.report(0.7, "Checking for cracks")) {
@@ -85,6 +107,11 @@ Result<Refinement> derive_refinement(const ControlMesh& control, const VertexLab
   derived.cracks = check_cracks(control, *derived.mesh);
   derived.check_seconds = checking.seconds();
   return derived;
+}
+
+Result<Refinement> derive_refinement(const ControlMesh& control, const VertexLabels& labels,
+                                     const RefinementOptions& options, Progress& progress) {
+  return RefinementSource().derive(control, labels, options, progress);
 }
 
 }  // namespace limn

@@ -1,5 +1,7 @@
 #include "limn/document/refinement.h"
 
+#include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -221,6 +223,27 @@ TEST(DeriveRefinement, RaisingTwiceOnAMixedMeshAddsTwoLevelsAndNoMore) {
   }
   // One more than painted, by the uniform first step; not one more for each time it is painted.
   EXPECT_THAT(levels, ElementsAre(2, 3));
+}
+
+TEST(RefinementSource, WritesOverWhatNobodyHolds) {
+  const auto cube = test::cube();
+  IgnoreProgress progress;
+  RefinementSource source;
+  const VertexLabels fine(8, 4);
+  const VertexLabels coarse(8, 2);
+  std::shared_ptr<const RefinedMesh> first = source.derive(*cube, fine, {}, progress).value().mesh;
+  const glm::vec3* const memory = first->positions.data();
+  const std::vector<glm::vec3> before(first->positions.begin(), first->positions.end());
+  const std::shared_ptr<const RefinedMesh> second =
+      source.derive(*cube, coarse, {}, progress).value().mesh;
+  EXPECT_NE(second->positions.data(), memory);  // The first is still looked at.
+  EXPECT_TRUE(std::ranges::equal(first->positions, before));
+  first.reset();
+  const std::shared_ptr<const RefinedMesh> third =
+      source.derive(*cube, fine, {}, progress).value().mesh;
+  EXPECT_EQ(third->positions.data(), memory);
+  EXPECT_TRUE(std::ranges::equal(third->positions, before));
+  EXPECT_EQ(second->quads.size(), 96u);
 }
 
 }  // namespace

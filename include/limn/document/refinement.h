@@ -11,6 +11,7 @@
 #include "limn/mesh/refined_mesh.h"
 #include "limn/progress.h"
 #include "limn/subdivision/crack_check.h"
+#include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/legalisation.h"
 #include "limn/subdivision/prediction.h"
 
@@ -60,5 +61,25 @@ struct RefinementOptions {
                                                    const VertexLabels& labels,
                                                    const RefinementOptions& options,
                                                    Progress& progress);
+
+/// `derive_refinement` for those who do it again and again, while an artist paints: it keeps its
+/// working memory, and that of a refined mesh which nobody holds any more. For one thread at a
+/// time; what it hands out may be let go of on any.
+class RefinementSource {
+ public:
+  RefinementSource();
+  ~RefinementSource();
+  RefinementSource(const RefinementSource&) = delete;
+  RefinementSource& operator=(const RefinementSource&) = delete;
+
+  /// As `derive_refinement`.
+  [[nodiscard]] Result<Refinement> derive(const ControlMesh& control, const VertexLabels& labels,
+                                          const RefinementOptions& options, Progress& progress);
+
+ private:
+  struct Spare;
+  Refiner refiner_;
+  std::shared_ptr<Spare> spare_;
+};
 
 }  // namespace limn
