@@ -32,6 +32,8 @@ bool print_peak(std::string_view name);
 void register_adaptive(Extent extent);
 /// `limit/MESH/LEVELS/WISH`: limit positions and normals on top of a refinement.
 void register_limit(Extent extent);
+/// `legalise/ILLEGAL/METHOD`: illegal vertices of painted tori, ten thousand to a million.
+void register_legalisation(Extent extent);
 /// `bounds/KIND/THREADS`: how fast the machine copies and hands out memory.
 void register_bounds(Extent extent);
 /// `picking/QUESTION`: what is under the pointer, on 399,424 quads. There with the program only.

@@ -1,4 +1,5 @@
 // limn_bench [--quick] [--mesh=FILE.obj:LEVELS...] [options of Google Benchmark]
+// limn_bench --legalisation-tables
 // Measures Limn and its peers in one program. scripts/bench.sh runs it and writes the report.
 #include <algorithm>
 #include <charconv>
@@ -11,6 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include "cases.h"
+#include "legalisation_table.h"
 #include "limn/error.h"
 #include "limn/subdivision/settings.h"
 #include "machine.h"
@@ -87,6 +89,7 @@ void register_all(const Arguments& arguments) {
   register_memory(arguments.extent);
   register_adaptive(arguments.extent);
   register_limit(arguments.extent);
+  register_legalisation(arguments.extent);
 #ifdef LIMN_BENCH_PICKING
   register_picking(arguments.extent);
 #endif
@@ -98,6 +101,10 @@ int main(int argc, char** argv) {
   settle_allocator();
   if (argc == 2 && std::string_view(argv[1]).starts_with(kPeakOption)) {
     return print_peak(argv[1] + std::string_view(kPeakOption).size()) ? 0 : 2;
+  }
+
+  if (argc == 2 && std::string_view(argv[1]) == "--legalisation-tables") {
+    return write_legalisation_tables(std::cout) ? 0 : 1;
   }
 
   limn::Result<Arguments> arguments = read_arguments(argc, argv);

@@ -6,15 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <memory>
 #include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "limn/contract.h"
+#include "limn/mesh/build.h"
 #include "limn/subdivision/prediction.h"
-#include "support/shapes.h"
 
 namespace limn::test {
 namespace {
@@ -29,7 +29,14 @@ struct Factor {
 
 /// Faces that become of a quad with these labels; asked of the program as a mesh of one face.
 std::uint64_t faces_of_quad(const std::array<std::uint8_t, 4>& labels) {
-  static const MeshPointer quad = control_mesh(grid_soup(1, 1));
+  static const std::shared_ptr<const ControlMesh> quad = [] {
+    PolygonSoup soup;
+    soup.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
+    soup.add_face(std::array{0U, 1U, 2U, 3U});
+    const Result<ImportedMesh> built = build_control_mesh(soup);
+    LIMN_EXPECTS(built.has_value());
+    return built->mesh;
+  }();
   VertexLabels at(4);
   for (std::size_t i = 0; i < 4; ++i) {
     at[quad->face(0)[i]] = labels[i];
