@@ -205,6 +205,14 @@ bool Session::perform_subdivision(const ui::Action& action) {
     case kApply:
       apply_refined();
       return true;
+    case kLegaliseLookAhead:
+      settings.legalisation = LegalisationMethod::kLookAhead;
+      change_settings(settings);
+      return true;
+    case kLegaliseGreedy:
+      settings.legalisation = LegalisationMethod::kGreedy;
+      change_settings(settings);
+      return true;
     case kNonQuadsUniformFirstStep:
       settings.non_quads = NonQuadRule::kUniformFirstStep;
       change_settings(settings);

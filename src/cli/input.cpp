@@ -100,9 +100,11 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
       ->type_name("RULE")
       ->expected(1)
       ->take_all();
-  add_choice<LegalisationMethod>(command, "--legalize", options.legalisation,
-                                 {{"greedy", LegalisationMethod::kGreedy}},
-                                 "How illegal vertices are removed: greedy (the paper's order)");
+  add_choice<LegalisationMethod>(
+      command, "--legalize", options.legalisation,
+      {{"look-ahead", LegalisationMethod::kLookAhead}, {"greedy", LegalisationMethod::kGreedy}},
+      "How illegal vertices are removed: look-ahead (never more faces) "
+      "or greedy (the paper's order)");
   add_choice<NonQuadRule>(command, "--non-quads", options.non_quads,
                           {{"uniform-first-step", NonQuadRule::kUniformFirstStep},
                            {"where-painted", NonQuadRule::kWherePainted}},

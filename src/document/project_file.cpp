@@ -34,8 +34,8 @@ constexpr std::size_t kMostProjectBytes = std::size_t{1} << 30U;
 constexpr std::array<Named<NonQuadRule>, 2> kNonQuadRules{
     {{"uniform-first-step", NonQuadRule::kUniformFirstStep},
      {"where-painted", NonQuadRule::kWherePainted}}};
-constexpr std::array<Named<LegalisationMethod>, 1> kLegalisations{
-    {{"greedy", LegalisationMethod::kGreedy}}};
+constexpr std::array<Named<LegalisationMethod>, 2> kLegalisations{
+    {{"greedy", LegalisationMethod::kGreedy}, {"look-ahead", LegalisationMethod::kLookAhead}}};
 constexpr std::array<Named<SurfacePoints>, 2> kSurfacePoints{
     {{"level", SurfacePoints::kLevel}, {"limit", SurfacePoints::kLimit}}};
 constexpr std::array<Named<TextureRule>, 2> kTextureRules{
@@ -46,7 +46,8 @@ constexpr std::array<Named<TextureRule>, 2> kTextureRules{
 /// Whether a program that reads version 1 alone would get the whole document.
 bool is_plain(const Document& document) {
   const SubdivisionSettings defaults;
-  return document.settings.points == defaults.points &&
+  return document.settings.legalisation == LegalisationMethod::kGreedy &&
+         document.settings.points == defaults.points &&
          document.settings.texture == defaults.texture && !has_attributes(*document.control) &&
          (document.opened == nullptr || !has_attributes(*document.opened));
 }
@@ -126,7 +127,9 @@ SubdivisionSettings read_settings(FieldReader& fields) {
   fields.expect_object("/settings");
   SubdivisionSettings settings;
   settings.non_quads = fields.choice("/settings/non_quads", kNonQuadRules);
-  settings.legalisation = fields.choice("/settings/legalisation", kLegalisations);
+  settings.legalisation = fields.is_absent("/settings/legalisation")
+                              ? LegalisationMethod::kGreedy  // There was only one then.
+                              : fields.choice("/settings/legalisation", kLegalisations);
   settings.corners = fields.choice("/settings/corners", kCornerRules);
   if (!fields.is_absent("/settings/positions")) {
     settings.points = fields.choice("/settings/positions", kSurfacePoints);

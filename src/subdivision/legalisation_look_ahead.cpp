@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,22 @@ namespace limn {
 namespace {
 
 constexpr const char* kLookAheadStage = "Removing illegal vertices, looking ahead";
+
+/// Parts of the whole: the relabels, their resets, and the race with the greedy.
+constexpr double kRelabelled = 0.6;
+constexpr double kTakenBack = 0.8;
+
+/// Shows the greedy's progress as the last part.
+class RacePart final : public Progress {
+ public:
+  explicit RacePart(Progress& whole) : whole_(whole) {}
+  [[nodiscard]] bool report(double fraction, std::string_view) override {
+    return whole_.report(kTakenBack + (1.0 - kTakenBack) * fraction, kLookAheadStage);
+  }
+
+ private:
+  Progress& whole_;
+};
 
 /// Scores are counted in fifths.
 constexpr std::int32_t kOneMended = 5;
@@ -265,26 +282,32 @@ Result<Legalisation> legalise_look_ahead(const ControlMesh& mesh, VertexLabels l
     if (result.steps.size() % kStepsBetweenReports == 0) {
       const auto made = static_cast<double>(result.steps.size());
       reached = std::max(reached, made / (made + static_cast<double>(look_ahead.illegal_count())));
-      if (!progress.report(reached, kLookAheadStage)) {
+      if (!progress.report(kRelabelled * reached, kLookAheadStage)) {
         return cancelled();
       }
     }
   }
-  if (result.steps.empty()) {
-    return result;
+  const auto goes_on = [&] { return progress.report(kRelabelled, kLookAheadStage); };
+  if (!take_back_needless(problem, result, goes_on)) {
+    return cancelled();
   }
-  take_back_needless(problem, result);
 
   // The greedy's labels are legal as well: where they are better, they are the answer.
+  RacePart race(progress);
   const std::uint64_t added = faces_added(problem, labels, result);
-  Result<std::optional<Legalisation>> greedy =
-      greedy_below(mesh, std::move(labels), added, progress);
+  Result<std::optional<Legalisation>> greedy = greedy_below(mesh, std::move(labels), added, race);
   if (!greedy) {
     return tl::unexpected(std::move(greedy.error()));
   }
   if (*greedy) {
     result = **std::move(greedy);
-    take_back_needless(problem, result);
+    if (!take_back_needless(problem, result,
+                            [&] { return progress.report(1.0, kLookAheadStage); })) {
+      return cancelled();
+    }
+  }
+  if (!progress.report(1.0, kLookAheadStage)) {
+    return cancelled();
   }
   return result;
 }

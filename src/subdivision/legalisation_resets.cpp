@@ -31,9 +31,13 @@ class Resets {
     }
   }
 
-  void take_back() {
+  [[nodiscard]] bool take_back(const std::function<bool()>& goes_on) {
+    constexpr std::size_t kTriesBetweenQuestions = 8192;
     std::vector<std::uint32_t> blocked;
-    while (!waiting_.empty() || !blocked.empty()) {
+    for (std::size_t tries = 1; !waiting_.empty() || !blocked.empty(); ++tries) {
+      if (tries % kTriesBetweenQuestions == 0 && !goes_on()) {
+        return false;
+      }
       if (waiting_.empty()) {
         take_back_pair(blocked.back());
         blocked.pop_back();
@@ -52,6 +56,7 @@ class Resets {
         blocked.push_back(variable);
       }
     }
+    return true;
   }
 
  private:
@@ -142,8 +147,9 @@ class Resets {
 
 }  // namespace
 
-void take_back_needless(const LegalityProblem& problem, Legalisation& result) {
-  Resets(problem, result).take_back();
+bool take_back_needless(const LegalityProblem& problem, Legalisation& result,
+                        const std::function<bool()>& goes_on) {
+  return Resets(problem, result).take_back(goes_on);
 }
 
 }  // namespace limn

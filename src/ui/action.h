@@ -61,6 +61,8 @@ enum class ActionId : std::uint8_t {
   kSubdivideOneLevel,  ///< One level more than is shown now.
   kBackToControl,      ///< Stage 0: nothing subdivided, labels as painted.
   kApply,              ///< The refined mesh becomes the control mesh.
+  kLegaliseLookAhead,
+  kLegaliseGreedy,
   kNonQuadsUniformFirstStep,
   kNonQuadsWherePainted,
   kCornersSharp,

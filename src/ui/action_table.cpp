@@ -83,6 +83,11 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kApply, kRefine, kNothing, "Apply as control mesh",
      "Make the refined mesh the new control mesh, unpainted. From then on it is a mesh of its own "
      "with another limit surface. Can be undone."},
+    {kLegaliseLookAhead, kRefine, kNothing, "Look ahead",
+     "Raise the vertices that mend the most for the fewest faces, look one further ahead, and take "
+     "back what proves needless. Never gives more faces than the published order."},
+    {kLegaliseGreedy, kRefine, kNothing, "Greedy order",
+     "Raise vertices in the published order: most illegal neighbours first."},
     {kNonQuadsUniformFirstStep, kRefine, kNothing, "Split all faces once",
      "On a mesh with faces that are not quads, the first level splits every face, so that only "
      "quads are left. This is the published rule."},

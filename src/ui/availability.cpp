@@ -68,6 +68,10 @@ bool is_checked(const Model& model, const Action& action) {
       return model.brush.sets_depth;
     case ActionId::kSetTargetDepth:
       return action.value == ActionValue(model.brush.target_depth);
+    case ActionId::kLegaliseLookAhead:
+      return settings.legalisation == LegalisationMethod::kLookAhead;
+    case ActionId::kLegaliseGreedy:
+      return settings.legalisation == LegalisationMethod::kGreedy;
     case ActionId::kNonQuadsUniformFirstStep:
       return settings.non_quads == NonQuadRule::kUniformFirstStep;
     case ActionId::kNonQuadsWherePainted:

@@ -95,6 +95,10 @@ void mesh_menu(PanelContext& context) {
   }
   items(context, {kSubdivide, kSubdivideOneLevel, kBackToControl, kRemoveIllegal});
   ImGui::Separator();
+  if (begin_menu(context, "Illegal vertices")) {
+    items(context, {kLegaliseLookAhead, kLegaliseGreedy});
+    ImGui::EndMenu();
+  }
   if (begin_menu(context, "Faces that are not quads")) {
     items(context, {kNonQuadsUniformFirstStep, kNonQuadsWherePainted});
     ImGui::EndMenu();

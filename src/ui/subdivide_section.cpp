@@ -84,14 +84,16 @@ void draw_subdivide_section(PanelContext& context) {
             {.label = "As painted",
              .value = refinement.legality ? counted(legality.illegal_vertices, "vertex", "vertices")
                                           : std::string("…"),
-             .meaning = "Corners labelled 0 of quads with exactly two labels 0. Such quads "
-                        "could not be split without a crack."});
+             .meaning = "Corners labelled 0 of quads with two labels 0 that could not be "
+                        "split without a crack."});
   value_row(context,
             {.label = "Raised to mend them",
              .value = refinement.legality ? counted(legality.relabelled, "vertex", "vertices")
                                           : std::string("…"),
              .meaning = "Vertices whose label goes from 0 to 1 before subdividing, so that "
                         "no illegal quad is left."});
+  action_choice(context, std::array{Choice{kLegaliseLookAhead, "Look ahead"},
+                                    Choice{kLegaliseGreedy, "Greedy"}});
   action_button(context, kRemoveIllegal);
 
   sub_heading(context, "Faces that are not quads");

@@ -12,10 +12,24 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
+TEST(Refine, LooksAheadUnlessToldOtherwise) {
+  for (const std::vector<std::string>& method :
+       {std::vector<std::string>{}, {"--legalize", "look-ahead"}, {"--legalize", "greedy"}}) {
+    const ScratchFolder scratch;
+    std::vector<std::string> arguments{"refine", "cube", "--paint", "faces=0:=5", "--json", "-o"};
+    arguments.push_back(scratch.file("out.obj"));
+    arguments.insert(arguments.end(), method.begin(), method.end());
+    const ProgramRun run = limn(arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(Json::parse(run.out)["relabelled_vertices"],
+              !method.empty() && method.back() == "greedy" ? 3 : 2);
+  }
+}
+
 TEST(Refine, OneFaceOfTheCubeToDepthFive) {
   const ScratchFolder scratch;
-  const ProgramRun run =
-      limn({"refine", "cube", "--paint", "faces=0:=5", "--json", "-o", scratch.file("out.obj")});
+  const ProgramRun run = limn({"refine", "cube", "--paint", "faces=0:=5", "--legalize", "greedy",
+                               "--json", "-o", scratch.file("out.obj")});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json numbers = Json::parse(run.out);
   EXPECT_EQ(numbers["faces"], 2484);

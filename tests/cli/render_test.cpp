@@ -52,8 +52,8 @@ TEST_F(Render, CreaturePaintedWhereItIsVisibleFromOneSide) {
   // Painted from the right, seen from elsewhere: the border of what was visible runs over it.
   const ScratchFolder scratch;
   const std::string painted = scratch.file("painted.limn");
-  const ProgramRun run =
-      limn({"refine", "creature", "--paint", "visible:+2", "--view", "right", "-o", painted});
+  const ProgramRun run = limn({"refine", "creature", "--paint", "visible:+2", "--view", "right",
+                               "--legalize", "greedy", "-o", painted});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   expect_before_and_after({painted, "--view", "three-quarter"}, "cli_creature_visible");
 }

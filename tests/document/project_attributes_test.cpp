@@ -50,12 +50,14 @@ TEST_F(ProjectAttributes, SettingsOfLaterVersionsComeBack) {
   for (const SurfacePoints points : {SurfacePoints::kLevel, SurfacePoints::kLimit}) {
     for (const TextureRule texture : {TextureRule::kSmoothInside, TextureRule::kLinear}) {
       Document document = opened("cube");
+      document.settings.legalisation = LegalisationMethod::kGreedy;
       document.settings.points = points;
       document.settings.texture = texture;
       ASSERT_TRUE(save_project(path_, document, std::nullopt));
       EXPECT_THAT(read_file(path_),
-                  HasSubstr(document.settings == SubdivisionSettings{} ? "\"version\": 1,"
-                                                                       : "\"version\": 2,"));
+                  HasSubstr(points == SurfacePoints::kLevel && texture == TextureRule::kSmoothInside
+                                ? "\"version\": 1,"
+                                : "\"version\": 2,"));
       expect_same_document(document, load_project(path_).value().document);
     }
   }
@@ -64,6 +66,14 @@ TEST_F(ProjectAttributes, SettingsOfLaterVersionsComeBack) {
       StartsWith("/settings/positions: must be one of"));
   EXPECT_THAT(complaint_with("\"corners\": \"sharp\"", "\"corners\": \"sharp\", \"texture\": 1"),
               StartsWith("/settings/texture: "));
+}
+
+TEST_F(ProjectAttributes, LookingAheadIsOfTheSecondVersion) {
+  const Document document = opened("cube");
+  ASSERT_EQ(document.settings.legalisation, LegalisationMethod::kLookAhead);
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  EXPECT_THAT(read_file(path_), HasSubstr("\"version\": 2,"));
+  expect_same_document(document, load_project(path_).value().document);
 }
 
 TEST_F(ProjectAttributes, WithoutAttributesItIsWrittenForOlderProgramsToo) {

@@ -38,8 +38,10 @@ TEST_F(ProjectFile, ComesBackAsItWas) {
     for (std::size_t f = 0; f < document.depths.size(); ++f) {
       document.depths.set(f, static_cast<int>(f * 7 % (kMaxDepth + 1)));
     }
-    document.settings = {NonQuadRule::kWherePainted, LegalisationMethod::kGreedy,
-                         CornerRule::kSmooth};
+    document.settings = {
+        NonQuadRule::kWherePainted,
+        name == "cube" ? LegalisationMethod::kGreedy : LegalisationMethod::kLookAhead,
+        CornerRule::kSmooth};
     document.stage = {true, 3};
     const ViewState view{{0.1, -1e-30, 3e10}, 1.0 / 3.0, 725.5, -89.9, 20.0, true};
     ASSERT_TRUE(save_project(path_, document, view));
@@ -117,6 +119,17 @@ TEST_F(ProjectFile, OtherMembersArePassedOver) {
                            "\"version\": 1, \"made_by\": {\"mesh\": [1, {\"faces\": [2]}]}, "
                            "\"mesh/positions\": [],"),
             "was loaded");
+}
+
+TEST_F(ProjectFile, WithoutALegalisationWasMadeWithTheGreedy) {
+  std::string text = cube_text();
+  const std::string_view member = "\"legalisation\": \"greedy\",";
+  const std::size_t at = text.find(member);
+  ASSERT_NE(at, std::string::npos);
+  ASSERT_EQ(complaint(text.erase(at, member.size())), "was loaded");
+  const Result<Project> loaded = load_project(path_);
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->document.settings.legalisation, LegalisationMethod::kGreedy);
 }
 
 TEST_F(ProjectFile, SaysWhereTheTextIsNotJson) {
@@ -227,6 +240,8 @@ TEST_F(ProjectFile, NamesTheCulpritInTheRest) {
   EXPECT_THAT(complaint_with("\"uniform-first-step\"", "\"never\""),
               HasSubstr("/settings/non_quads: must be one of \"uniform-first-step\""));
   EXPECT_THAT(complaint_with("\"greedy\"", "7"), StartsWith("/settings/legalisation: "));
+  EXPECT_THAT(complaint_with("\"greedy\"", "\"lavish\""),
+              HasSubstr("/settings/legalisation: must be one of \"greedy\", \"look-ahead\""));
   EXPECT_THAT(complaint_with("\"settings\": {", "\"settings\": [], \"old\": {"),
               StartsWith("/settings: must be an object"));
   EXPECT_THAT(complaint_with("\"legalised\": false", "\"legalised\": 0"),

@@ -62,6 +62,7 @@ std::string ProjectFixture::complaint(std::string_view text) {
 
 std::string ProjectFixture::cube_text() {
   Document document = opened("cube");
+  document.settings.legalisation = LegalisationMethod::kGreedy;  // So that it is of version 1.
   document.depths.set(3, 5);
   EXPECT_TRUE(save_project(path_, document, ViewState{}));
   return read_file(path_);

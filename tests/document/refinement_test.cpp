@@ -59,7 +59,8 @@ class StopAt final : public Progress {
 TEST(DeriveLabels, CubeWithOneFacePaintedIsMendedByThreeRelabels) {
   const auto cube = test::cube();
   const std::vector<std::uint8_t> depths{5, 0, 0, 0, 0, 0};
-  const DerivedLabels derived = labels_of(*cube, depths);
+  const DerivedLabels derived =
+      labels_of(*cube, depths, {.legalisation = LegalisationMethod::kGreedy});
   EXPECT_EQ(derived.painted, vertex_labels(*cube, depths));
   EXPECT_EQ(derived.illegal_faces, illegal_faces(*cube, derived.painted));
   EXPECT_EQ(derived.illegal_faces.size(), 4U);
@@ -71,6 +72,18 @@ TEST(DeriveLabels, CubeWithOneFacePaintedIsMendedByThreeRelabels) {
   EXPECT_EQ(derived.prediction.vertices, 2486U);
   EXPECT_EQ(derived.prediction.levels, 5);
   EXPECT_EQ(derived.prediction.uniform_faces, 6U * 1024U);
+}
+
+TEST(DeriveLabels, CubeWithOneFacePaintedIsMendedByTwoRelabelsLookingAhead) {
+  // Two opposite corners of the far face, which leaves it legal.
+  const auto cube = test::cube();
+  const std::vector<std::uint8_t> depths{5, 0, 0, 0, 0, 0};
+  const DerivedLabels derived = labels_of(*cube, depths);
+  EXPECT_EQ(derived.illegal_faces.size(), 4U);
+  EXPECT_EQ(derived.raised_vertices.size(), 2U);
+  EXPECT_THAT(illegal_faces(*cube, derived.legal.labels, LegalisationMethod::kLookAhead),
+              IsEmpty());
+  EXPECT_EQ(derived.prediction.faces, 2484U);
 }
 
 TEST(DeriveLabels, NothingPaintedNeedsNothing) {
@@ -88,8 +101,9 @@ TEST(DeriveLabels, CountsVerticesThatAreRaisedAlongWithAChosenOne) {
   std::size_t chosen = 0;
   std::size_t raised = 0;
   for (int round = 0; round < 20; ++round) {
-    const DerivedLabels derived = labels_of(*mesh, test::random_depths(*mesh, 0.1, 2, random),
-                                            {.non_quads = NonQuadRule::kWherePainted});
+    const DerivedLabels derived = labels_of(
+        *mesh, test::random_depths(*mesh, 0.1, 2, random),
+        {.non_quads = NonQuadRule::kWherePainted, .legalisation = LegalisationMethod::kGreedy});
     for (const LegalisationStep& step : derived.legal.steps) {
       EXPECT_THAT(derived.raised_vertices, ::testing::Contains(step.vertex));
     }

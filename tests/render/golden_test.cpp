@@ -25,6 +25,9 @@ constexpr FramebufferSize kSize{320, 240};
 
 using MeshPointer = std::shared_ptr<const ControlMesh>;
 
+/// What the pictures were drawn with.
+constexpr SubdivisionSettings kGreedy{.legalisation = LegalisationMethod::kGreedy};
+
 class Goldens : public test::GlFixture {
  protected:
   void SetUp() override {
@@ -62,7 +65,7 @@ class Goldens : public test::GlFixture {
   }
   void show_refined() {
     IgnoreProgress progress;
-    const auto labels = legal_labels(*mesh, depths, {}, progress);
+    const auto labels = legal_labels(*mesh, depths, kGreedy, progress);
     ASSERT_TRUE(labels);
     RefineLimits limits;
     limits.normals = true;
@@ -242,7 +245,7 @@ TEST_F(Goldens, LabelsRelabelled) {
   painted[22] = 1;
   show(test::grid(6), painted);
   IgnoreProgress progress;
-  const auto legal = legal_labels(*mesh, depths, {}, progress);
+  const auto legal = legal_labels(*mesh, depths, kGreedy, progress);
   ASSERT_TRUE(legal);
   std::vector<std::uint32_t> raised;
   for (const LegalisationStep& step : legal->steps) {

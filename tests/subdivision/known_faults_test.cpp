@@ -15,8 +15,11 @@ namespace {
 
 using test::MeshPointer;
 
+/// As that program legalised.
+constexpr SubdivisionSettings kGreedy{.legalisation = LegalisationMethod::kGreedy};
+
 VertexLabels labels_of(const ControlMesh& mesh, const std::vector<std::uint8_t>& depths,
-                       const SubdivisionSettings& settings = {}) {
+                       const SubdivisionSettings& settings = kGreedy) {
   IgnoreProgress progress;
   return legal_labels(mesh, depths, settings, progress).value().labels;
 }
@@ -32,7 +35,7 @@ TEST(KnownFault, IllegalFacesLeftBehind) {
   for (std::uint8_t depth = 1; depth <= 5; ++depth) {
     const VertexLabels labels = labels_of(*cube, {0, 0, depth, 0, 0, 0});
     EXPECT_THAT(illegal_faces(*cube, labels), ::testing::IsEmpty());
-    EXPECT_EQ(test::first_breach(*cube, labels, {}, kAllLevels), "");
+    EXPECT_EQ(test::first_breach(*cube, labels, kGreedy, kAllLevels), "");
   }
 }
 
@@ -103,7 +106,7 @@ TEST(KnownFault, PolygonHalfRaisedByLegalisation) {
   // Where painted: legalising the ring of a prism raises a vertex of the far cap, so all of it.
   test::Random random(52);
   const MeshPointer mesh = test::control_mesh(test::jittered(test::prism_soup(5), 0.1, random));
-  SubdivisionSettings settings;
+  SubdivisionSettings settings = kGreedy;
   settings.non_quads = NonQuadRule::kWherePainted;
   std::vector<std::uint8_t> depths(mesh->face_count(), 0);
   depths[0] = 3;

@@ -44,7 +44,8 @@ TEST(LabelSubdivision, CubeWithOnePaintedFaceHasTheKnownCounts) {
     std::vector<std::uint8_t> depths(6, 0);
     depths[0] = depth;
     IgnoreProgress progress;
-    const auto legal = legal_labels(*cube, depths, {}, progress);
+    const auto legal =
+        legal_labels(*cube, depths, {.legalisation = LegalisationMethod::kGreedy}, progress);
     ASSERT_TRUE(legal);
     EXPECT_EQ(legal->steps.size(), 3u);
     const auto mesh = refine(*cube, legal->labels, {}, {}, progress);

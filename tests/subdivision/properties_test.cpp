@@ -29,7 +29,7 @@ void expect_sound_paintings(const ControlMesh& mesh, NonQuadRule rule, std::uint
     const auto depths = test::random_depths(mesh, i % 2 == 0 ? 0.2 : 0.5, 1 + i % 2, random);
     const auto legal = legal_labels(mesh, depths, settings, progress);
     ASSERT_TRUE(legal);
-    ASSERT_TRUE(illegal_faces(mesh, legal->labels).empty());
+    ASSERT_TRUE(illegal_faces(mesh, legal->labels, settings.legalisation).empty());
     ASSERT_TRUE(refiner.refine(mesh, legal->labels, settings, {}, progress, refined));
     const CrackCheck cracks = check_cracks(mesh, refined);
     ASSERT_TRUE(cracks.is_watertight() && cracks.boundary_edges == 0) << "painting " << i;

@@ -50,6 +50,16 @@ TEST(Panels, ASwatchSetsTheTargetDepthAndMakesTheBrushUseIt) {
   EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kSetTargetDepth, 10)));
 }
 
+TEST(Panels, TheWayToRemoveIllegalVerticesIsAChoice) {
+  Screen screen({1280, 1800});
+  screen.click("Greedy");
+  screen.document.settings.legalisation = LegalisationMethod::kGreedy;
+  screen.click("Greedy");  // That is so already.
+  screen.click("Look ahead");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kLegaliseGreedy),
+                                                 Action(ActionId::kLegaliseLookAhead)));
+}
+
 TEST(Panels, CreasesAreClearedOnlyWhereThereAreAny) {
   Screen screen({1280, 1800});
   screen.click("Clear creases");
@@ -355,8 +365,9 @@ TEST(Panels, EveryActionIsReachable) {
     screen.key(Key::kEscape);
     screen.settle();
   }
-  for (const char* sub_menu : {"menu: Faces that are not quads", "menu: Boundary corners",
-                               "menu: Vertices", "menu: Texture coordinates"}) {
+  for (const char* sub_menu : {"menu: Illegal vertices", "menu: Faces that are not quads",
+                               "menu: Boundary corners", "menu: Vertices",
+                               "menu: Texture coordinates"}) {
     screen.click("menu: Mesh");
     screen.click(sub_menu);
     screen.settle();

@@ -35,7 +35,7 @@ enum class TextureRule {
 /// The choices of a label-driven subdivision.
 struct SubdivisionSettings {
   NonQuadRule non_quads = NonQuadRule::kUniformFirstStep;
-  LegalisationMethod legalisation = LegalisationMethod::kGreedy;
+  LegalisationMethod legalisation = LegalisationMethod::kLookAhead;
   CornerRule corners = CornerRule::kSharp;
   SurfacePoints points = SurfacePoints::kLevel;
   TextureRule texture = TextureRule::kSmoothInside;
