@@ -107,7 +107,7 @@ RefinedArrays surface_arrays(RefinedMesh& result, SurfacePoints points) {
 
 RefinedArrays texture_arrays(RefinedMesh& result) {
   RefinedArrays arrays;
-  arrays.points = &result.uvs.data()->x;
+  arrays.points = result.uvs.empty() ? nullptr : &result.uvs.data()->x;
   arrays.width = 2;
   arrays.quads = result.quad_uvs.data();
   return arrays;
