@@ -84,9 +84,10 @@ void main() {
   face_state = 0;
   mat3 rotation = mat3(view_from_local);
   if (has_option(kSmoothNormals)) {
-    smooth_normal = rotation * vec3(surface_normals[3 * corner.vertex],
-                                    surface_normals[3 * corner.vertex + 1],
-                                    surface_normals[3 * corner.vertex + 2]);
+    vec3 normal = vec3(surface_normals[3 * corner.vertex], surface_normals[3 * corner.vertex + 1],
+                       surface_normals[3 * corner.vertex + 2]);
+    // Where a surface made on the GPU has no tangent plane.
+    smooth_normal = rotation * (normal == vec3(0.0) ? face_normal(corner) : normal);
   } else if (corner.is_provoking) {
     flat_normal = rotation * face_normal(corner);
   }

@@ -18,6 +18,10 @@ constexpr std::size_t kBits = 32;
 constexpr unsigned kGroupWidth = 32;
 constexpr unsigned kGroupHeight = 4;
 constexpr GLuint kVisibleSlot = 9;
+// As in shaders/control_faces.comp.glsl.
+constexpr unsigned kLookUpGroup = 64;
+constexpr GLuint kAskedSlot = 8;
+constexpr GLuint kAnswerSlot = 9;
 
 unsigned groups_over(int pixels, unsigned group) {
   return (static_cast<unsigned>(pixels) + group - 1) / group;
@@ -35,8 +39,32 @@ PixelRect grown(const PixelRect& rect, FramebufferSize size) {
 
 FacePicker::FacePicker()
     : draw_ids_(load_program("face_id.vert.glsl", "face_id.frag.glsl")),
+      look_up_(load_compute_program("control_faces.comp.glsl")),
       gather_visible_(load_compute_program("visible_faces.comp.glsl")),
-      visible_bits_(gl::Buffer::create("visible faces")) {}
+      visible_bits_(gl::Buffer::create("visible faces")),
+      asked_(gl::Buffer::create("faces asked about")),
+      answers_(gl::Buffer::create("their control faces")) {}
+
+void FacePicker::look_up_control_faces(const SurfaceBuffers& surface) {
+  controls_.resize(drawn_.size());
+  if (const auto control_faces = surface.face_control_faces(); !control_faces.empty()) {
+    std::ranges::transform(drawn_, controls_.begin(),
+                           [&](std::uint32_t face) { return control_faces[face]; });
+    return;
+  }
+  if (drawn_.empty()) {
+    return;
+  }
+  asked_.upload(drawn_);
+  answers_.resize(drawn_.size() * sizeof(std::uint32_t));
+  look_up_.use();
+  surface.bind_face_records();
+  asked_.bind_storage(kAskedSlot);
+  answers_.bind_storage(kAnswerSlot);
+  glDispatchCompute(groups_over(static_cast<int>(drawn_.size()), kLookUpGroup), 1, 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  answers_.read_bytes(0, std::as_writable_bytes(std::span(controls_)));
+}
 
 bool FacePicker::update(const PickScene& scene) {
   const Key key{scene.surface.upload_id(), clip_from_local(scene.camera, scene.surface.origin()),
@@ -75,7 +103,9 @@ std::optional<PickedFace> FacePicker::pick(const PickScene& scene, FramebufferPo
   }
   PickedFace picked;
   picked.drawn_face = drawn_face_of(id);
-  picked.control_face = scene.surface.face_control_faces()[picked.drawn_face];
+  drawn_.assign(1, picked.drawn_face);
+  look_up_control_faces(scene.surface);
+  picked.control_face = controls_.front();
   picked.view_depth = view_depth_from_buffer(scene.camera, image_.read_depth(x, y));
   picked.position = world_at(scene.camera, point, picked.view_depth);
   return picked;
@@ -92,11 +122,7 @@ std::vector<std::uint32_t> FacePicker::brush(const PickScene& scene, const Brush
   pixels_.resize(rect.area());
   image_.read(rect, pixels_);
 
-  const auto control_faces = scene.surface.face_control_faces();
-  if (last_met_.size() != scene.surface.control_face_count() || ++brush_count_ == 0) {
-    last_met_.assign(scene.surface.control_face_count(), 0);
-    brush_count_ = 1;
-  }
+  drawn_.clear();
   for (int y = covered.y; y < covered.y + covered.height; ++y) {
     const PixelSpan span = covered_span(capsule, y);
     const int row = y - rect.y;
@@ -111,11 +137,18 @@ std::vector<std::uint32_t> FacePicker::brush(const PickScene& scene, const Brush
         continue;
       }
       previous = id;
-      const std::uint32_t face = control_faces[drawn_face_of(id)];
-      if (last_met_[face] != brush_count_) {
-        last_met_[face] = brush_count_;
-        met.push_back(face);
-      }
+      drawn_.push_back(drawn_face_of(id));
+    }
+  }
+  look_up_control_faces(scene.surface);
+  if (last_met_.size() != scene.surface.control_face_count() || ++brush_count_ == 0) {
+    last_met_.assign(scene.surface.control_face_count(), 0);
+    brush_count_ = 1;
+  }
+  for (const std::uint32_t face : controls_) {
+    if (last_met_[face] != brush_count_) {
+      last_met_[face] = brush_count_;
+      met.push_back(face);
     }
   }
   return met;

@@ -77,15 +77,24 @@ class FacePicker {
 
   /// Brings the image up to date. False where there is nothing to see.
   [[nodiscard]] bool update(const PickScene& scene);
+  /// Replaces `controls_` by the control faces of `drawn_`.
+  void look_up_control_faces(const SurfaceBuffers& surface);
 
   gl::ShaderProgram draw_ids_;
+  gl::ShaderProgram look_up_;
   gl::ShaderProgram gather_visible_;
   IdImage image_;
   gl::Buffer visible_bits_;
   Key key_;
   std::uint64_t draw_count_ = 0;
 
-  std::vector<std::uint32_t> pixels_;  ///< The brush's rectangle, kept to save allocations.
+  gl::Buffer asked_;  ///< Drawn faces, and their control faces.
+  gl::Buffer answers_;
+
+  // Kept to save allocations.
+  std::vector<std::uint32_t> pixels_;    ///< The brush's rectangle.
+  std::vector<std::uint32_t> drawn_;     ///< Drawn faces in question.
+  std::vector<std::uint32_t> controls_;  ///< Their control faces.
   /// For each control face the number of the last stroke of `brush` that met it.
   std::vector<std::uint32_t> last_met_;
   std::uint32_t brush_count_ = 0;

@@ -73,13 +73,6 @@ Result<void> SurfaceBuffers::upload(const Surface& surface, std::uint64_t revisi
     }
   }
 
-  std::vector<GroupRecord> records;
-  std::vector<DrawCommand> commands;
-  for (const SurfaceGroup& group : surface.groups) {
-    const std::uint32_t triangles = group.sides - 2;
-    records.push_back({group.sides, group.first_face, group.first_corner, triangles});
-    commands.push_back({group.face_count * triangles * 3, 1, 0, 0});
-  }
   std::vector<std::uint32_t> faces(surface.face_count());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     LIMN_ASSERT(surface.face_levels[f] < 16);
@@ -90,12 +83,10 @@ Result<void> SurfaceBuffers::upload(const Surface& surface, std::uint64_t revisi
   positions_.upload(surface.positions);
   normals_.upload(surface.normals);
   corners_.upload(surface.corners);
-  groups_.upload(records);
   faces_.upload(faces);
   edges_.upload(surface.edges);
-  commands_.upload(commands);
+  set_groups(surface.groups);
   face_control_faces_ = surface.face_control_faces;
-  group_count_ = static_cast<int>(commands.size());
   origin_ = surface.origin;
   face_count_ = surface.face_count();
   edge_count_ = surface.edges.size();
@@ -103,6 +94,52 @@ Result<void> SurfaceBuffers::upload(const Surface& surface, std::uint64_t revisi
   revision_ = revision;
   upload_id_ = next_upload_id();
   return {};
+}
+
+Result<SurfaceContents> SurfaceBuffers::prepare(const SurfaceShape& shape, std::uint64_t revision) {
+  LIMN_EXPECTS(revision != 0);
+  LIMN_EXPECTS(shape.control_face_count <= (std::size_t{1} << kLevelShift));
+  std::size_t faces = 0;
+  std::size_t corners = 0;
+  for (const SurfaceGroup& group : shape.groups) {
+    faces += group.face_count;
+    corners += std::size_t{group.face_count} * group.sides;
+  }
+  const std::size_t vertex_bytes = shape.vertex_count * sizeof(glm::vec3);
+  const std::size_t corner_bytes = corners * sizeof(std::uint32_t);
+  for (const auto& [bytes, what] :
+       {std::pair(vertex_bytes, "vertices"), std::pair(corner_bytes, "faces")}) {
+    if (Result<void> room = require_room(bytes, what); !room) {
+      return tl::unexpected(std::move(room.error()));
+    }
+  }
+  positions_.resize(vertex_bytes);
+  normals_.resize(shape.has_normals ? vertex_bytes : 0);
+  corners_.resize(corner_bytes);
+  faces_.resize(faces * sizeof(std::uint32_t));
+  edges_.resize(0);
+  set_groups(shape.groups);
+  face_control_faces_.clear();
+  origin_ = shape.origin;
+  face_count_ = faces;
+  edge_count_ = 0;
+  control_face_count_ = shape.control_face_count;
+  revision_ = revision;
+  upload_id_ = next_upload_id();
+  return SurfaceContents{&positions_, &normals_, &corners_, &faces_};
+}
+
+void SurfaceBuffers::set_groups(std::span<const SurfaceGroup> groups) {
+  std::vector<GroupRecord> records;
+  std::vector<DrawCommand> commands;
+  for (const SurfaceGroup& group : groups) {
+    const std::uint32_t triangles = group.sides - 2;
+    records.push_back({group.sides, group.first_face, group.first_corner, triangles});
+    commands.push_back({group.face_count * triangles * 3, 1, 0, 0});
+  }
+  groups_.upload(records);
+  commands_.upload(commands);
+  group_count_ = static_cast<int>(commands.size());
 }
 
 void SurfaceBuffers::draw() const {
