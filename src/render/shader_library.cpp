@@ -65,8 +65,13 @@ gl::ShaderProgram load_program(std::string_view vertex, std::string_view fragmen
   return gl::ShaderProgram::link(fragment, stages);
 }
 
-gl::ShaderProgram load_compute_program(std::string_view compute) {
-  const std::array stages{stage(GL_COMPUTE_SHADER, compute)};
+gl::ShaderProgram load_compute_program(std::string_view compute, std::string_view macro) {
+  std::array stages{stage(GL_COMPUTE_SHADER, compute)};
+  if (!macro.empty()) {
+    // After the version, which must come first.
+    std::string& source = stages.front().source;
+    source.insert(source.find('\n') + 1, fmt::format("#define {}\n#line 2 0\n", macro));
+  }
   return gl::ShaderProgram::link(compute, stages);
 }
 

@@ -15,7 +15,9 @@ namespace limn::render {
 /// Links the named vertex and fragment shaders. Throws EnvironmentError with the driver's log.
 [[nodiscard]] gl::ShaderProgram load_program(std::string_view vertex, std::string_view fragment);
 
-/// Links a compute shader. Throws EnvironmentError with the driver's log.
-[[nodiscard]] gl::ShaderProgram load_compute_program(std::string_view compute);
+/// Links a compute shader, with a macro defined where one is given. Throws EnvironmentError with
+/// the driver's log.
+[[nodiscard]] gl::ShaderProgram load_compute_program(std::string_view compute,
+                                                     std::string_view macro = {});
 
 }  // namespace limn::render
