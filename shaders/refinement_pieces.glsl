@@ -26,8 +26,9 @@ layout(std430, binding = 11) restrict readonly buffer Specials { PackedSpecial s
 const uint kPieceSide = 5;  // points of a piece one level down, ring included
 const uint kPiecePoints = kPieceSide * kPieceSide;
 
-// Pieces' points come after the 16 of each root.
-uint first_point_of(uint piece) { return 16u * root_count + kPiecePoints * piece; }
+// Pieces' points come after the roots'.
+const uint kRootPoints = 17;  // 4 x 4, and what all are relative to
+uint first_point_of(uint piece) { return kRootPoints * root_count + kPiecePoints * piece; }
 
 Special special_at(uint index) {
   PackedSpecial words = specials[index];

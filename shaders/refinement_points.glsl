@@ -4,7 +4,7 @@
 // outside its pieces: there the points of every level are the tensor product of B-splines' weights,
 // without the levels between.
 
-// 16 points a root, then the pieces'.
+// kRootPoints a root, then the pieces', relative to the last of their root's.
 layout(std430, binding = 10) restrict readonly buffer PatchPoints { float patch_points[]; };
 // For each level m = 0.., for each vertex 0..2^m of a segment of a cubic B-spline's control polygon
 // that far down, the weights of the four points around the segment.
@@ -52,7 +52,7 @@ struct GridVertex {
 
 GridVertex in_grid(Vertex vertex) {
   if (vertex.special == kNone || vertex.depth == 0u) {
-    return GridVertex(Grid(16u * vertex.root, 4u), vertex.depth, vertex.place);
+    return GridVertex(Grid(kRootPoints * vertex.root, 4u), vertex.depth, vertex.place);
   }
   Special special = special_at(vertex.special);
   uint r = 0u;
@@ -220,6 +220,7 @@ void put_point(uint number, uint level, Vertex vertex) {
 #else
   vec3 point = level_point(vertex);
 #endif
+  point += grid_point(Grid(kRootPoints * vertex.root + 16u, 0u), 0u, 0u);
   surface_positions[3 * number] = point.x;
   surface_positions[3 * number + 1] = point.y;
   surface_positions[3 * number + 2] = point.z;

@@ -175,7 +175,7 @@ void main() {
   if (piece_index == kNone) {
     return;
   }
-  piece.first = 16u * piece.special.root;
+  piece.first = kRootPoints * piece.special.root;
   piece.stride = 4u;
   if (level > 0u) {
     uint parent = piece_at(piece.special, level - 1u, piece.place.x >> 1, piece.place.y >> 1);

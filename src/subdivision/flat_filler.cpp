@@ -14,6 +14,11 @@ glm::vec3 to_float(const Point& p) {
   return glm::vec3(to_vec3(p));
 }
 
+/// What a root's points are relative to: its first corner, as a float.
+Point base_of(const Patch& patch) {
+  return to_point(glm::dvec3(to_float(patch.grid[5])));
+}
+
 std::uint32_t packed(const QuadLabels& labels) {
   return labels[0] | labels[1] << 4U | labels[2] << 8U | labels[3] << 12U;
 }
@@ -143,7 +148,10 @@ void FlatFiller::fill_root(std::uint32_t f, const RootNode& root, PlanSizes& nex
       mirror_side(i, patch.grid);
     }
   }
-  std::ranges::transform(patch.grid, plan_->points.begin() + std::ptrdiff_t{16} * index, to_float);
+  const Point base = base_of(patch);
+  const auto points = plan_->points.begin() + static_cast<std::ptrdiff_t>(kRootPoints) * index;
+  std::ranges::transform(patch.grid, points, [&](const Point& p) { return to_float(p - base); });
+  points[16] = to_float(base);
 }
 
 /// Vertices that rest at level 1.
@@ -176,7 +184,7 @@ void FlatFiller::fill_special(const Patch& patch, const PatchShape& shape, std::
   special.bits = shape.bits();
   special.root = root;
   special.first_ring_point = static_cast<std::uint32_t>(at[kPlanRingPoints]);
-  fill_rings(patch, shape, plan_->ring_points.data() + at[kPlanRingPoints]);
+  fill_rings(patch, shape, base_of(patch), plan_->ring_points.data() + at[kPlanRingPoints]);
   auto share = static_cast<std::uint32_t>(at[kPlanShares]);
   std::uint64_t sharp_side = at[kPlanSharpSides];
   for (std::uint32_t i = 0; i < 4; ++i) {
@@ -195,7 +203,8 @@ void FlatFiller::fill_special(const Patch& patch, const PatchShape& shape, std::
   }
 }
 
-void FlatFiller::fill_rings(const Patch& patch, const PatchShape& shape, glm::vec3* out) const {
+void FlatFiller::fill_rings(const Patch& patch, const PatchShape& shape, const Point& base,
+                            glm::vec3* out) const {
   for (const PatchCorner& corner : patch.corners) {
     if (!corner.ring.exists()) {
       continue;
@@ -203,9 +212,9 @@ void FlatFiller::fill_rings(const Patch& patch, const PatchShape& shape, glm::ve
     for (std::uint32_t r = 1; r <= shape.levels(); ++r) {
       const int at = shape.level() + static_cast<int>(r);
       const auto edge = [&](std::uint32_t i) {
-        return i == kNone ? glm::vec3(0.0f) : to_float(corner.ring.edge(at, i));
+        return i == kNone ? glm::vec3(0.0f) : to_float(corner.ring.edge(at, i) - base);
       };
-      *out++ = to_float(corner.ring.centre(at));
+      *out++ = to_float(corner.ring.centre(at) - base);
       *out++ = edge(corner.before);
       *out++ = edge(corner.after);
     }
@@ -213,7 +222,7 @@ void FlatFiller::fill_rings(const Patch& patch, const PatchShape& shape, glm::ve
   for (const PatchCorner& corner : patch.corners) {
     if (plan_->has_limits && corner.ring.exists()) {
       const LimitPoint limit = corner.ring.limit();
-      *out++ = glm::vec3(limit.position);
+      *out++ = glm::vec3(limit.position - to_vec3(base));
       *out++ = glm::vec3(limit.normal);
     }
   }

@@ -45,7 +45,8 @@ class FlatFiller {
   void fill_points(const Patch& patch, const RootNode& root, std::uint64_t at) const;
   void fill_special(const Patch& patch, const PatchShape& shape, std::uint32_t root,
                     const PlanSizes& at) const;
-  void fill_rings(const Patch& patch, const PatchShape& shape, glm::vec3* out) const;
+  void fill_rings(const Patch& patch, const PatchShape& shape, const Point& base,
+                  glm::vec3* out) const;
   void fill_polygon(std::uint32_t f) const;
 
   const RefinementPlan* from_;

@@ -52,7 +52,7 @@ void FlatPlanner::Workspace::make_room(const PlanSizes& sizes, const RefinedCoun
   plan.vertex_count = counts.vertices;
   plan.quad_count = counts.quads;
   plan.roots.resize(sizes[kPlanRoots]);
-  plan.points.resize(16 * sizes[kPlanRoots]);
+  plan.points.resize(kRootPoints * sizes[kPlanRoots]);
   for (std::size_t kind = 0; kind < kNodeKinds; ++kind) {
     plan.node_counts[kind] = sizes[kPlanNodes + kind];
     plan.first_nodes[kind].resize(sizes[kPlanRoots]);

@@ -24,6 +24,8 @@ namespace limn {
 /// Set in FlatSpecial::shares where a level has two numbers only.
 inline constexpr std::uint32_t kEvenShares = 0x80000000u;
 
+inline constexpr std::size_t kRootPoints = 17;
+
 /// A node of a patch's quadtree (Node in patch.h), packed. Shaders unpack it.
 struct FlatNode {
   std::uint32_t bits = 0;   ///< Labels, 4 bits each; level << 16, owned corners << 20, owned sides
@@ -92,17 +94,18 @@ struct FlatPlan {
   bool has_limit_points = false;  ///< Points that rest lie at their limits.
 
   SubtreeTable subtrees;
-  LargeArray<FlatNode> roots;    ///< Those that are split or refined: a label is positive.
-  LargeArray<glm::vec3> points;  ///< 16 a root, row by row: its face with the points around it.
-                                 ///< Beyond boundaries and infinitely sharp sides they mirror those
-                                 ///< within, so that nothing needs to be known of these.
+  LargeArray<FlatNode> roots;  ///< Those that are split or refined: a label is positive.
+  /// kRootPoints a root: its face with the points around it, row by row, and what all points of the
+  /// root are relative to, which keeps digits where faces are small. Beyond boundaries and
+  /// infinitely sharp sides they mirror those within, so that nothing needs to be known of these.
+  LargeArray<glm::vec3> points;
   std::array<LargeArray<std::uint32_t>, kNodeKinds>
       first_nodes;  ///< Of each root, among the nodes of a kind.
   std::array<std::uint64_t, kNodeKinds> node_counts{};
 
   LargeArray<FlatSpecial> specials;
   std::uint64_t piece_count = 0;
-  LargeArray<glm::vec3> ring_points;
+  LargeArray<glm::vec3> ring_points;  ///< Relative to their root's, too.
   /// How much of a crease's rule the points on a sharp side take: for each of its sharp levels r,
   /// 2^r + 2 numbers for the edges -1..2^r of the side's own, then 2^r + 1 for its vertices; or,
   /// where they are all the same (kEvenShares), one for the edges and one for the vertices.

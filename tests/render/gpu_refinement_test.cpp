@@ -172,7 +172,13 @@ TEST_F(GpuRefinementTest, RandomPaintings) {
     } else if (i % 4 == 2) {
       soup = test::with_mixed_faces(soup, random);
     }
-    const MeshPointer mesh = test::control_mesh(test::jittered(soup, 0.1, random));
+    if (i % 6 == 5) {
+      soup = test::with_holes(soup, 3, random);
+    }
+    MeshPointer mesh = test::control_mesh(test::jittered(soup, 0.1, random));
+    if (i % 3 == 2) {
+      mesh = test::with_random_creases(*mesh, 0.2, 0.05, random);
+    }
     const Depths depths = test::random_depths(*mesh, i % 8 < 3 ? 0.05 : 0.3, 1 + i % 5, random);
     SubdivisionSettings settings;
     settings.non_quads = i % 3 == 0 ? NonQuadRule::kUniformFirstStep : NonQuadRule::kWherePainted;
