@@ -179,12 +179,16 @@ Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFa
   return project;
 }
 
-Result<Derived> derive(const Project& project, const PaintingOptions& options) {
-  std::optional<oneapi::tbb::global_control> limit;
-  if (options.threads > 0) {
-    limit.emplace(oneapi::tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(options.threads));
+std::shared_ptr<void> limit_threads(int threads) {
+  if (threads == 0) {
+    return nullptr;
   }
+  return std::make_shared<oneapi::tbb::global_control>(
+      oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+}
+
+Result<Derived> derive(const Project& project, const PaintingOptions& options) {
+  const std::shared_ptr<void> limit = limit_threads(options.threads);
   const Document& document = project.document;
   TerminalProgress progress;
   Result<DerivedLabels> labels =
@@ -192,7 +196,7 @@ Result<Derived> derive(const Project& project, const PaintingOptions& options) {
   if (!labels) {
     return tl::unexpected(std::move(labels.error()));
   }
-  Derived derived{*std::move(labels), std::nullopt};
+  Derived derived{*std::move(labels), std::nullopt, std::nullopt};
   if (options.levels > 0 && derived.labels.prediction.levels > 0) {
     Result<Refinement> refinement =
         derive_refinement(*document.control, derived.labels.legal.labels,

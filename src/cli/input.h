@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,11 +55,24 @@ using MakeVisibleFaces = std::function<VisibleFaces(const Project&)>;
 [[nodiscard]] Result<Project> open_painted(const PaintingOptions& options,
                                            const MakeVisibleFaces& make_visible);
 
+/// A refinement that was made and stays on the GPU.
+struct RefinedOnGpu {
+  RefinementPrediction prediction;
+  std::uint64_t quads = 0;
+  std::uint64_t other_faces = 0;
+  std::string renderer;  ///< What the driver calls itself.
+  double seconds = 0.0;  ///< From labels to the finished surface.
+};
+
 /// Everything derived from a painting.
 struct Derived {
   DerivedLabels labels;
-  std::optional<Refinement> refinement;  ///< Nothing where no level is made.
+  std::optional<Refinement> refinement;  ///< Nothing where no level is made, or not on the CPU.
+  std::optional<RefinedOnGpu> on_gpu;
 };
+
+/// Holds the process to so many threads until it is destroyed; 0: as many as the machine has.
+[[nodiscard]] std::shared_ptr<void> limit_threads(int threads);
 
 /// The refinement of an opened project, with progress on the terminal, on `options.threads`
 /// threads.

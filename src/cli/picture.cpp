@@ -34,12 +34,15 @@ void draw_legend_over(const Document& document, const PictureSettings& settings,
 
 }  // namespace
 
-Result<render::Image> draw_document(const Document& document, const Derived& derived,
+Result<render::Image> draw_document(const Document& document, Derived& derived,
                                     const render::Camera& camera, const PictureSettings& settings) {
   const std::unique_ptr<render::GlContext> context = render::create_headless_context();
   const ControlMesh& control = *document.control;
   // The control mesh stands for the refined one where nothing is painted.
-  const bool draws_refined = settings.show != Show::kControl && derived.refinement;
+  const bool refines_here =
+      settings.on_gpu && settings.on_gpu->levels > 0 && derived.labels.prediction.levels > 0;
+  const bool draws_refined =
+      settings.show != Show::kControl && (derived.refinement || refines_here);
 
   const render::Surface control_surface = render::make_surface(control);
   render::SurfaceBuffers control_buffers;
@@ -47,7 +50,19 @@ Result<render::Image> draw_document(const Document& document, const Derived& der
     return tl::unexpected(std::move(uploaded.error()));
   }
   render::SurfaceBuffers refined_buffers;
-  if (draws_refined) {
+  std::vector<render::CreaseLine> refined_lines;
+  if (draws_refined && refines_here) {
+    Result<GpuDrawing> drawing = refine_on_gpu(
+        document, derived.labels,
+        {*settings.on_gpu, settings.draw.shading == render::Shading::kSmooth, settings.has_creases},
+        refined_buffers);
+    if (!drawing) {
+      return tl::unexpected(std::move(drawing.error()));
+    }
+    derived.on_gpu = std::move(drawing->refined);
+    derived.on_gpu->renderer = context->info().renderer;
+    refined_lines = std::move(drawing->creases);
+  } else if (draws_refined) {
     const render::Surface surface = render::make_surface(
         *derived.refinement->mesh, control_surface.origin, control.face_count());
     if (auto uploaded = refined_buffers.upload(surface, 1); !uploaded) {
@@ -78,10 +93,10 @@ Result<render::Image> draw_document(const Document& document, const Derived& der
   render::CreaseBuffers refined_creases;
   if (settings.has_creases) {
     control_creases.upload(render::crease_lines(control));
-    if (draws_refined) {
-      refined_creases.upload(
-          render::crease_lines(*derived.refinement->mesh, control_surface.origin));
+    if (derived.refinement && draws_refined) {
+      refined_lines = render::crease_lines(*derived.refinement->mesh, control_surface.origin);
     }
+    refined_creases.upload(refined_lines);
   }
 
   render::Scene scene;

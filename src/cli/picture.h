@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "cli/gpu_refinement.h"
 #include "cli/input.h"
 #include "limn/error.h"
 #include "limn/mesh/refined_mesh.h"
@@ -18,11 +21,15 @@ struct PictureSettings {
   bool has_illegal = false;  ///< Illegal faces hatched, their vertices as dots.
   bool has_creases = true;   ///< Sharp edges and vertices, coloured by sharpness.
   bool has_legend = false;
+  /// Refine on the GPU what is shown, as far as this; nothing: show what `derived` has refined.
+  std::optional<GpuReach> on_gpu;
 };
 
-/// Draws a painted mesh, its refinement or both. Throws EnvironmentError where there is no
-/// OpenGL 4.5. Errors: kEnvironment where the picture is larger than the driver can draw.
-[[nodiscard]] Result<render::Image> draw_document(const Document& document, const Derived& derived,
+/// Draws a painted mesh, its refinement or both. Sets `derived.on_gpu` where it refines on the GPU.
+/// Throws EnvironmentError where there is no OpenGL 4.5. Errors: kEnvironment where the picture is
+/// larger than the driver can draw, or the refinement than it can hold; of a refinement, also
+/// kOverBudget and kCancelled.
+[[nodiscard]] Result<render::Image> draw_document(const Document& document, Derived& derived,
                                                   const render::Camera& camera,
                                                   const PictureSettings& settings);
 

@@ -18,10 +18,14 @@
 namespace limn::cli {
 namespace {
 
+/// What refines what is drawn.
+enum class RefineOn { kCpu, kGpu };
+
 struct RenderOptions {
   PaintingOptions painting;
   ViewOptions view;
   PictureSettings picture;
+  RefineOn refine_on = RefineOn::kCpu;
   std::string output;
   bool json = false;
 };
@@ -36,17 +40,22 @@ Result<void> render_and_write(const RenderOptions& options) {
     return tl::unexpected(view.error());
   }
   PaintingOptions painting = options.painting;
+  PictureSettings picture = options.picture;
   if (options.picture.show == PictureSettings::Show::kControl) {
     painting.levels = 0;
+  } else if (options.refine_on == RefineOn::kGpu) {
+    picture.on_gpu = GpuReach{painting.levels, painting.face_budget};
+    painting.levels = 0;  // Labels alone.
   }
-  const Result<Derived> derived = derive(*project, painting);
+  const std::shared_ptr<void> limit = limit_threads(painting.threads);
+  Result<Derived> derived = derive(*project, painting);
   if (!derived) {
     return tl::unexpected(derived.error());
   }
   const Document& document = project->document;
   const render::Camera camera =
       render::make_camera(*view, document.control->bounds(), options.view.size);
-  const Result<render::Image> image = draw_document(document, *derived, camera, options.picture);
+  const Result<render::Image> image = draw_document(document, *derived, camera, picture);
   if (!image) {
     return tl::unexpected(image.error());
   }
@@ -84,6 +93,15 @@ void add_render_command(CLI::App& program, Work& work) {
                       .description(""))
       ->type_name("WORD")
       ->default_str("refined");
+  command
+      ->add_option("--refine-on", options->refine_on,
+                   "cpu, or gpu: refine with compute shaders where the picture is drawn. What is "
+                   "drawn is the same")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, RefineOn>{{"cpu", RefineOn::kCpu},
+                                                                          {"gpu", RefineOn::kGpu}})
+                      .description(""))
+      ->type_name("WORD")
+      ->default_str("cpu");
   command
       ->add_flag("--wireframe,!--no-wireframe", picture.draw.has_wireframe,
                  "Polygon edges over the shading, or not")

@@ -80,6 +80,9 @@ RefinementPrediction result_counts(const Document& document, const Derived& deri
   if (derived.refinement) {
     return derived.refinement->prediction;
   }
+  if (derived.on_gpu) {
+    return derived.on_gpu->prediction;
+  }
   const ControlMesh& control = *document.control;
   RefinementPrediction counts;
   counts.faces = control.face_count();
@@ -195,6 +198,13 @@ Json refinement_report(const Document& document, const Derived& derived) {
     report["nonmanifold_edges"] = cracks.nonmanifold_edges;
     report["seconds"]["refine"] = refinement.refine_seconds;
     report["seconds"]["check"] = refinement.check_seconds;
+  }
+  if (derived.on_gpu) {
+    report["bytes"] = counts.bytes;
+    report["quads"] = derived.on_gpu->quads;
+    report["other_faces"] = derived.on_gpu->other_faces;
+    report["refined_on"] = derived.on_gpu->renderer;
+    report["seconds"]["refine"] = derived.on_gpu->seconds;
   }
   return report;
 }

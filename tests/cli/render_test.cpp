@@ -111,5 +111,47 @@ TEST_F(Render, LooksFromACameraFile) {
   EXPECT_FALSE(std::filesystem::exists(scratch.file("out.png")));
 }
 
+TEST_F(Render, OnTheGpuLooksTheSame) {
+  const Words painted = {"teapot",        "--paint",     "dihedral>20:=3", "--crease",
+                         "angle>50:=1.5", "--non-quads", "where-painted"};
+  for (const char* shading : {"--no-wireframe", "--smooth"}) {
+    Words words = painted;
+    words.emplace_back(shading);
+    const render::Image by_cpu = picture(words);
+    words.insert(words.end(), {"--refine-on", "gpu"});
+    const ImageDifference difference = compare_images(picture(words), by_cpu);
+    // A vertex that is a ten-millionth off can change a pixel on an edge.
+    EXPECT_LE(difference.pixels, by_cpu.rgba.size() / 4 / 200) << shading;
+    words.insert(words.end(), {"--levels", "0"});
+    EXPECT_GT(compare_images(picture(words), by_cpu).pixels, difference.pixels) << shading;
+  }
+}
+
+TEST_F(Render, OnTheGpuIsReported) {
+  const ScratchFolder scratch;
+  const Words words = {"render", "cube",        "--paint", "all:=4", "-o", scratch.file("out.png"),
+                       "--json", "--refine-on", "gpu"};
+  const ProgramRun run = limn(words);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::HasSubstr("\"faces\": 1536"));
+  EXPECT_THAT(run.out, testing::HasSubstr("\"refined_on\": \"llvmpipe"));
+}
+
+TEST_F(Render, OnTheGpuKeepsToTheBudget) {
+  const ScratchFolder scratch;
+  const ProgramRun run = limn({"render", "cube", "--paint", "all:=4", "--budget", "1535", "-o",
+                               scratch.file("out.png"), "--refine-on", "gpu"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_THAT(run.err, testing::HasSubstr("1536 faces"));
+}
+
+TEST_F(Render, OnTheGpuSaysWhichLimitIsInTheWay) {
+  const ScratchFolder scratch;
+  const ProgramRun run = limn({"render", "creature", "--paint", "all:=8", "--budget", "1000000000",
+                               "-o", scratch.file("out.png"), "--refine-on", "gpu"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, testing::HasSubstr("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"));
+}
+
 }  // namespace
 }  // namespace limn::test

@@ -365,6 +365,10 @@ void GpuRefiner::run_uniform(const FlatPlan& plan, const PointPrograms& points,
   finish_writing();  // Before the next label's nodes take the place of these.
 }
 
+void GpuRefiner::wait() {
+  glFinish();
+}
+
 Result<GpuRefinement> GpuRefiner::refine(const GpuRefinementRequest& request, Progress& progress,
                                          SurfaceBuffers& surface) {
   if (auto planned =

@@ -69,6 +69,9 @@ class GpuRefiner {
   [[nodiscard]] Result<GpuRefinement> refine(const GpuRefinementRequest& request,
                                              Progress& progress, SurfaceBuffers& surface);
 
+  /// Until everything is there. Nothing needs that but a stopwatch.
+  static void wait();
+
   /// The last refinement, made with vertex levels and for a mesh that is still there, as
   /// limn::refine gives it but for texture coordinates, and with the surface's origin. Waits for
   /// the GPU.
