@@ -2,7 +2,6 @@
 #include "cli/gpu_refinement.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "cli/console.h"
@@ -33,15 +32,13 @@ Result<GpuDrawing> refine_on_gpu(const Document& document, const DerivedLabels& 
                                              limits,  1,     draws_creases};
   render::GpuRefiner refiner;
   TerminalProgress progress;
-  const auto start = std::chrono::steady_clock::now();
   const Result<render::GpuRefinement> done = refiner.refine(request, progress, surface);
   if (!done) {
     return tl::unexpected(done.error());
   }
-  refiner.wait();
   GpuDrawing drawing;
-  drawing.refined.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const render::GpuRefinementTimes times = refiner.times();
+  drawing.refined.seconds = times.plan + times.upload + times.gpu;
   drawing.refined.prediction = predict_refinement(control, legal, options.reach.levels);
   drawing.refined.quads = done->quads;
   drawing.refined.other_faces = done->polygons;

@@ -48,6 +48,12 @@ bool is_plainly_regular(const Cage& cage, std::uint32_t f) {
          ring[2] != kNone && ring[5] != kNone && ring[8] != kNone && ring[11] != kNone;
 }
 
+/// Kept, so that listing allocates nothing.
+std::vector<RootNode>& roots_of_this_thread() {
+  thread_local std::vector<RootNode> roots;
+  return roots;
+}
+
 bool is_resting(const Node& node) {
   return std::ranges::max(node.labels) == 0;
 }
@@ -60,7 +66,9 @@ FlatFiller::FlatFiller(const RefinementPlan& from, FlatPlan& plan)
 PlanSizes FlatFiller::sizes(std::uint32_t f) const {
   PlanSizes sizes{};
   if (!from_->is_resting_polygon(f)) {
-    for (const RootNode& root : roots_of(f)) {
+    std::vector<RootNode>& roots = roots_of_this_thread();
+    outline_roots(*from_, f, roots);
+    for (const RootNode& root : roots) {
       add_sizes(root, sizes);
       const bool may_be_special =
           root.polygon_corner != kNone || !is_plainly_regular(from_->cage, f);
@@ -76,16 +84,12 @@ void FlatFiller::fill(std::uint32_t f, PlanSizes& next) const {
   if (from_->is_resting_polygon(f)) {
     fill_polygon(f);
   } else {
-    for (const RootNode& root : roots_of(f)) {
+    std::vector<RootNode>& roots = roots_of_this_thread();
+    list_roots(*from_, f, roots);
+    for (const RootNode& root : roots) {
       fill_root(f, root, next);
     }
   }
-}
-
-const std::vector<RootNode>& FlatFiller::roots_of(std::uint32_t f) const {
-  thread_local std::vector<RootNode> roots;
-  list_roots(*from_, f, roots);
-  return roots;
 }
 
 /// Without what makes its patch special.

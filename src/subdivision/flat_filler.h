@@ -38,7 +38,6 @@ class FlatFiller {
   void fill(std::uint32_t f, PlanSizes& next) const;
 
  private:
-  [[nodiscard]] const std::vector<RootNode>& roots_of(std::uint32_t f) const;
   void add_sizes(const RootNode& root, PlanSizes& sizes) const;
   void add_sizes(const PatchShape& shape, PlanSizes& sizes) const;
   void fill_root(std::uint32_t f, const RootNode& root, PlanSizes& next) const;

@@ -178,6 +178,18 @@ void list_roots(const RefinementPlan& plan, std::uint32_t f, std::vector<RootNod
   }
 }
 
+void outline_roots(const RefinementPlan& plan, std::uint32_t f, std::vector<RootNode>& roots) {
+  if (plan.cage.side_count(f) != 4) {
+    list_roots(plan, f, roots);
+    return;
+  }
+  const FaceLabels labels(plan.cage, plan.labels, f);
+  roots.assign(1, RootNode{});
+  for (std::size_t i = 0; i < 4; ++i) {
+    roots.front().node.labels[i] = labels[i];
+  }
+}
+
 Patch gather_patch(const RefinementPlan& plan, std::uint32_t f, const RootNode& root) {
   Patch patch;
   if (root.polygon_corner == kNone) {

@@ -24,6 +24,9 @@ struct RootNode {
 /// corner where the face is no quad. A quad that stays has no numbers but its corners and its own.
 void list_roots(const RefinementPlan& plan, std::uint32_t f, std::vector<RootNode>& roots);
 
+/// The same with labels and corners that rest alone, for who only counts.
+void outline_roots(const RefinementPlan& plan, std::uint32_t f, std::vector<RootNode>& roots);
+
 /// The points around a root of face f, and what is special about it.
 [[nodiscard]] Patch gather_patch(const RefinementPlan& plan, std::uint32_t f, const RootNode& root);
 

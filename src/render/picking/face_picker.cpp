@@ -13,7 +13,7 @@
 namespace limn::render {
 namespace {
 
-constexpr std::size_t kBits = 32;
+constexpr std::size_t kBitsInWord = 32;
 // As in shaders/visible_faces.comp.glsl.
 constexpr unsigned kGroupWidth = 32;
 constexpr unsigned kGroupHeight = 4;
@@ -159,7 +159,7 @@ std::vector<std::uint32_t> FacePicker::visible_faces(const PickScene& scene) {
   if (!update(scene)) {
     return visible;
   }
-  const std::size_t words = scene.surface.control_face_count() / kBits + 1;
+  const std::size_t words = scene.surface.control_face_count() / kBitsInWord + 1;
   visible_bits_.resize(words * sizeof(std::uint32_t));
   visible_bits_.clear();
 
@@ -175,7 +175,7 @@ std::vector<std::uint32_t> FacePicker::visible_faces(const PickScene& scene) {
   for (std::size_t word = 0; word < words; ++word) {
     for (std::uint32_t rest = bits[word]; rest != 0; rest &= rest - 1) {
       visible.push_back(static_cast<std::uint32_t>(
-          word * kBits + static_cast<std::size_t>(std::countr_zero(rest))));
+          word * kBitsInWord + static_cast<std::size_t>(std::countr_zero(rest))));
     }
   }
   return visible;

@@ -10,11 +10,11 @@
 #include "render/refinement/gpu_refiner.h"
 
 #include <algorithm>
-
-#include <fmt/format.h>
+#include <chrono>
 
 #include "limn/contract.h"
-#include "render/environment_error.h"
+#include "render/refinement/drawn_faces.h"
+#include "render/refinement/gpu_limits.h"
 #include "render/refinement/spline_weights.h"
 #include "render/shader_library.h"
 
@@ -36,7 +36,6 @@ constexpr GLuint kSpecialsSlot = 11;
 constexpr GLuint kWeightsSlot = 13;
 constexpr GLuint kRingPointsSlot = 14;
 constexpr GLuint kSharesSlot = 15;
-constexpr GLint kMostSlots = 16;
 
 constexpr GLint kItemCount = 0;
 constexpr GLint kLabelCount = 1;
@@ -51,64 +50,15 @@ constexpr unsigned kWithLevels = 1;
 constexpr unsigned kWithNormals = 2;
 constexpr unsigned kWithLimitPoints = 4;
 
-constexpr std::uint64_t kGroupSize = 64;
-constexpr std::uint64_t kMostGroupsInRow = 65535;  ///< What every driver allows.
-constexpr std::uint64_t kPiecePoints = 25;
-
-GLint limit_of(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
-void require_slots() {
-  for (const auto& [name, text] :
-       {std::pair<GLenum, const char*>(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS,
-                                       "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS"),
-        std::pair<GLenum, const char*>(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS,
-                                       "GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS")}) {
-    if (const GLint most = limit_of(name); most < kMostSlots) {
-      throw EnvironmentError(
-          fmt::format("This graphics driver cannot refine: {} is {}, and {} are needed. Refine on "
-                      "the CPU instead.",
-                      text, most, kMostSlots));
-    }
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-}
 
-/// Something whose size the driver limits.
-struct Sized {
-  std::uint64_t bytes;
-  const char* what;
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-Result<void> require_sizes(std::initializer_list<Sized> all) {
-  GLint64 most = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-  for (const auto& [bytes, what] : all) {
-    if (bytes > static_cast<std::uint64_t>(most)) {
-      return fail(ErrorKind::kEnvironment,
-                  fmt::format("The refinement is too large for this graphics driver: {} take {} "
-                              "MB, and GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {} MB. Refine on the "
-                              "CPU instead, or to fewer faces.",
-                              what, bytes >> 20U, most >> 20U));
-    }
-  }
-  return {};
-}
-
-Result<void> require_items(std::uint64_t items) {
-  const auto width = static_cast<std::uint64_t>(kMostGroupsInRow);
-  const std::uint64_t most = std::min(width * width * kGroupSize, std::uint64_t{0xFFFFFFFF});
-  if (items > most) {
-    return fail(ErrorKind::kEnvironment,
-                fmt::format("The refinement is too large for a GPU: it takes {} invocations, and "
-                            "GL_MAX_COMPUTE_WORK_GROUP_COUNT allows {}. Refine on the CPU instead, "
-                            "or to fewer faces.",
-                            items, most));
-  }
-  return {};
-}
 
 /// One invocation an item, in rows of groups.
 void dispatch(const gl::ShaderProgram& program, std::uint64_t items) {
@@ -133,115 +83,12 @@ void upload(gl::Buffer& buffer, const LargeArray<T>& values) {
   buffer.upload(std::span<const T>(values));
 }
 
-/// Faces by number of sides: of the polygons, and the quads among them.
-struct DrawnFaces {
-  std::vector<SurfaceGroup> groups;
-  std::uint32_t first_quad = 0;
-  std::uint32_t first_corner = 0;       ///< Of quads.
-  std::vector<std::uint32_t> polygons;  ///< In the order they are drawn.
-};
-
-DrawnFaces group_faces(const FlatPlan& plan) {
-  DrawnFaces drawn;
-  const auto sides = [&plan](std::uint32_t polygon) {
-    return plan.polygon_offsets[polygon + 1] - plan.polygon_offsets[polygon];
-  };
-  drawn.polygons.resize(plan.polygon_control_faces.size());
-  for (std::uint32_t i = 0; i < drawn.polygons.size(); ++i) {
-    drawn.polygons[i] = i;
-  }
-  std::ranges::stable_sort(drawn.polygons, {}, sides);
-  SurfaceGroup group;
-  const auto begin_group = [&](std::uint32_t next_sides) {
-    if (group.face_count > 0) {
-      drawn.groups.push_back(group);
-    }
-    group.first_face += group.face_count;
-    group.first_corner += group.face_count * group.sides;
-    group.sides = next_sides;
-    group.face_count = 0;
-  };
-  const auto put_quads = [&] {
-    begin_group(4);
-    group.face_count = static_cast<std::uint32_t>(plan.quad_count);
-    drawn.first_quad = group.first_face;
-    drawn.first_corner = group.first_corner;
-  };
-  bool has_quads = false;
-  for (const std::uint32_t polygon : drawn.polygons) {
-    if (!has_quads && sides(polygon) > 4) {
-      has_quads = true;
-      put_quads();
-    }
-    if (group.face_count == 0 || group.sides != sides(polygon)) {
-      begin_group(sides(polygon));
-    }
-    ++group.face_count;
-  }
-  if (!has_quads) {
-    put_quads();
-  }
-  begin_group(0);
-  return drawn;
-}
-
-/// Writes the faces that are no quads; those between the groups of fewer and more sides are left.
-void write_polygons(const FlatPlan& plan, const DrawnFaces& drawn, const SurfaceContents& surface) {
-  std::size_t next = 0;
-  for (const SurfaceGroup& group : drawn.groups) {
-    if (group.sides == 4) {
-      continue;
-    }
-    std::vector<std::uint32_t> corners;
-    std::vector<std::uint32_t> faces;
-    for (std::uint32_t i = 0; i < group.face_count; ++i, ++next) {
-      const std::uint32_t polygon = drawn.polygons[next];
-      const auto from = plan.polygon_vertices.begin() + plan.polygon_offsets[polygon];
-      corners.insert(corners.end(), from, from + group.sides);
-      faces.push_back(plan.polygon_control_faces[polygon]);
-    }
-    surface.corners->write(group.first_corner * sizeof(std::uint32_t),
-                           std::span<const std::uint32_t>(corners));
-    surface.faces->write(group.first_face * sizeof(std::uint32_t),
-                         std::span<const std::uint32_t>(faces));
-  }
-}
-
 std::uint64_t count_uniform(const FlatPlan& plan) {
   std::uint64_t count = 0;
   for (std::size_t label = 1; label < kNodeKinds; ++label) {
     count += plan.node_counts[label];
   }
   return count;
-}
-
-std::uint64_t point_bytes(const FlatPlan& plan) {
-  return (plan.points.size() + kPiecePoints * plan.piece_count) * sizeof(glm::vec3);
-}
-
-Result<void> require_room(const FlatPlan& plan) {
-  std::uint64_t most_nodes = 0;
-  std::uint64_t most_items =
-      kPiecePoints * std::max<std::uint64_t>(4 * plan.specials.size(), plan.sharp_sides.size()
-                                                                           << plan.greatest_label);
-  for (std::size_t label = 0; label < kNodeKinds; ++label) {
-    most_nodes = std::max(most_nodes, label == 0 ? 0 : plan.node_counts[label]);
-    most_items =
-        std::max(most_items, plan.node_counts[label] << 2 * std::max<std::size_t>(label, 1));
-  }
-  if (Result<void> room = require_items(most_items); !room) {
-    return room;
-  }
-  return require_sizes(
-      {{plan.points.size() * sizeof(glm::vec3), "the points around control faces"},
-       {plan.roots.size() * sizeof(FlatNode), "control faces"},
-       {plan.roots.size() * kNodeKinds * sizeof(std::uint32_t), "the numbers of control faces"},
-       {plan.ring_points.size() * sizeof(glm::vec3), "the rings of irregular vertices"},
-       {plan.shares.size() * sizeof(float), "creases"},
-       {most_nodes * sizeof(FlatNode), "uniform faces"},
-       {plan.resting_quads.size() * sizeof(FlatQuad), "faces that stay"},
-       {plan.vertex_count * sizeof(glm::vec3), "its vertices"},
-       {plan.quad_count * sizeof(std::array<std::uint32_t, 4>), "its faces"}});
 }
 
 }  // namespace
@@ -277,7 +124,9 @@ GpuRefiner::GpuRefiner()
       placed_quads_(gl::Buffer::create("placed quads")),
       placed_points_(gl::Buffer::create("placed points")),
       uniform_nodes_(gl::Buffer::create("uniform nodes")),
-      vertex_levels_(gl::Buffer::create("vertex levels")) {
+      vertex_levels_(gl::Buffer::create("vertex levels")),
+      begin_(gl::Timestamp::create()),
+      end_(gl::Timestamp::create()) {
   weights_.upload(spline_weights(kMaxDepth + 1));
 }
 
@@ -365,12 +214,31 @@ void GpuRefiner::run_uniform(const FlatPlan& plan, const PointPrograms& points,
   finish_writing();  // Before the next label's nodes take the place of these.
 }
 
-void GpuRefiner::wait() {
-  glFinish();
+GpuRefinementTimes GpuRefiner::times() const {
+  GpuRefinementTimes times = times_;
+  times.gpu = end_.seconds() - begin_.seconds();
+  return times;
+}
+
+void GpuRefiner::run(const FlatPlan& plan, const PointPrograms& points) {
+  begin_.record();
+  step_pieces(plan);
+  placed_quads_.bind_storage(kInputSlot);
+  dispatch(place_quads_, plan.resting_quads.size());
+  placed_points_.bind_storage(kInputSlot);
+  dispatch(place_points_, plan.resting_points.size());
+  bind_tree();
+  dispatch(points.inner_nodes, plan.node_counts[0]);
+  for (std::uint32_t label = 1; label < kNodeKinds; ++label) {
+    run_uniform(plan, points, label);
+  }
+  end_.record();
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 Result<GpuRefinement> GpuRefiner::refine(const GpuRefinementRequest& request, Progress& progress,
                                          SurfaceBuffers& surface) {
+  const Stopwatch planning;
   if (auto planned =
           planner_.plan(request.mesh, request.labels, request.settings, request.limits, progress);
       !planned) {
@@ -387,6 +255,8 @@ Result<GpuRefinement> GpuRefiner::refine(const GpuRefinementRequest& request, Pr
   if (!contents) {
     return tl::unexpected(contents.error());
   }
+  times_.plan = planning.seconds();
+  const Stopwatch uploading;
   upload_plan(plan);
   write_polygons(plan, drawn, *contents);
   contents->positions->write(0, std::span<const glm::vec3>(plan.control_points));
@@ -399,6 +269,7 @@ Result<GpuRefinement> GpuRefiner::refine(const GpuRefinementRequest& request, Pr
   if (request.limits.normals) {
     contents->normals->write(0, std::span<const glm::vec3>(plan.control_normals));
   }
+  times_.upload = uploading.seconds();
   const unsigned options = (request.has_vertex_levels ? kWithLevels : 0U) |
                            (request.limits.normals ? kWithNormals : 0U) |
                            (plan.has_limit_points ? kWithLimitPoints : 0U);
@@ -422,17 +293,7 @@ Result<GpuRefinement> GpuRefiner::refine(const GpuRefinementRequest& request, Pr
       find_uniform_nodes_, uniform_points, uniform_rims);
   set(kOptions, options, place_points_, inner_nodes, uniform_points, uniform_rims);
 
-  step_pieces(plan);
-  placed_quads_.bind_storage(kInputSlot);
-  dispatch(place_quads_, plan.resting_quads.size());
-  placed_points_.bind_storage(kInputSlot);
-  dispatch(place_points_, plan.resting_points.size());
-  bind_tree();
-  dispatch(inner_nodes, plan.node_counts[0]);
-  for (std::uint32_t label = 1; label < kNodeKinds; ++label) {
-    run_uniform(plan, points, label);
-  }
-  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  run(plan, points);
   return GpuRefinement{plan.vertex_count,
                        plan.quad_count,
                        plan.polygon_control_faces.size(),

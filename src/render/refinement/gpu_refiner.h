@@ -15,6 +15,7 @@
 #include "limn/subdivision/settings.h"
 #include "render/gl/buffer.h"
 #include "render/gl/shader_program.h"
+#include "render/gl/timestamp.h"
 #include "render/surface/surface_buffers.h"
 #include "subdivision/flat_plan.h"
 
@@ -43,6 +44,13 @@ struct GpuRefinement {
   std::uint64_t placed_points = 0;  ///< uploaded.
 };
 
+/// How long the last refinement took, in seconds.
+struct GpuRefinementTimes {
+  double plan = 0.0;    ///< On the CPU, linear in the control mesh.
+  double upload = 0.0;  ///< Of the plan: what the driver keeps the CPU for.
+  double gpu = 0.0;     ///< On the GPU, from the finished upload to the finished surface.
+};
+
 /// Label-driven adaptive Catmull-Clark on the GPU, in OpenGL 4.5 compute shaders.
 ///
 /// The result is that of limn::refine: the same vertices, faces, control faces and levels under the
@@ -69,8 +77,8 @@ class GpuRefiner {
   [[nodiscard]] Result<GpuRefinement> refine(const GpuRefinementRequest& request,
                                              Progress& progress, SurfaceBuffers& surface);
 
-  /// Until everything is there. Nothing needs that but a stopwatch.
-  static void wait();
+  /// Waits until the last refinement is finished.
+  [[nodiscard]] GpuRefinementTimes times() const;
 
   /// The last refinement, made with vertex levels and for a mesh that is still there, as
   /// limn::refine gives it but for texture coordinates, and with the surface's origin. Waits for
@@ -89,6 +97,7 @@ class GpuRefiner {
 
   [[nodiscard]] const PointPrograms& point_programs(bool with_limits);
   void upload_plan(const FlatPlan& plan);
+  void run(const FlatPlan& plan, const PointPrograms& points);
   void step_pieces(const FlatPlan& plan) const;
   void run_uniform(const FlatPlan& plan, const PointPrograms& points, std::uint32_t label);
   void bind_tree() const;
@@ -117,6 +126,9 @@ class GpuRefiner {
   gl::Buffer uniform_nodes_;
   gl::Buffer vertex_levels_;
   std::size_t table_labels_ = 0;  ///< Labels that `subtree_counts_` is for.
+  GpuRefinementTimes times_;      ///< Without the GPU's.
+  gl::Timestamp begin_;
+  gl::Timestamp end_;
 };
 
 }  // namespace limn::render
