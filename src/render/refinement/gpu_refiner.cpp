@@ -135,9 +135,10 @@ void GpuRefiner::upload_plan(const FlatPlan& plan) {
     table_labels_ = plan.subtrees.label_count();
     const std::vector<SubtreeCounts>& subtrees = plan.subtrees.all();
     std::vector<std::uint32_t> edges;
-    for (std::uint8_t a = 0; a < table_labels_; ++a) {
-      for (std::uint8_t b = 0; b < table_labels_; ++b) {
-        edges.push_back(LabelCounts::table().edge(a, b));
+    for (std::uint32_t a = 0; a < table_labels_; ++a) {
+      for (std::uint32_t b = 0; b < table_labels_; ++b) {
+        edges.push_back(
+            LabelCounts::table().edge(static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)));
       }
     }
     const std::size_t bytes = subtrees.size() * sizeof(SubtreeCounts);
