@@ -51,6 +51,10 @@ void flatten_edges(const HalfedgeMesh& mesh, const std::vector<std::uint32_t>& h
       halfedge = mesh.opposite_halfedge_handle(halfedge);
     }
     LIMN_EXPECTS(!mesh.is_boundary(halfedge));
+    const auto opposite = mesh.opposite_halfedge_handle(halfedge);
+    if (halfedge_corners[index_of(opposite)] < halfedge_corners[index_of(halfedge)]) {
+      halfedge = opposite;
+    }
     flat.edge_vertices.push_back(
         {index_of(mesh.from_vertex_handle(halfedge)), index_of(mesh.to_vertex_handle(halfedge))});
     flat.edge_corners.push_back(

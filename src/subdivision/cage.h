@@ -64,6 +64,12 @@ struct Cage {
     const std::uint32_t f = topology->corner_faces[corner];
     return corner == topology->face_offsets[f] ? topology->face_offsets[f + 1] - 1 : corner - 1;
   }
+  /// The corner on the other side of a corner's edge; kNone on a boundary.
+  [[nodiscard]] std::uint32_t twin(std::uint32_t corner) const noexcept {
+    return topology->corner_twins[corner];
+  }
+  /// Whether a corner is the first of its edge.
+  [[nodiscard]] bool is_first(std::uint32_t corner) const noexcept { return corner < twin(corner); }
   [[nodiscard]] Point centroid(std::size_t f) const noexcept {
     Point sum{};
     const std::uint32_t first = first_corner(f);

@@ -28,17 +28,18 @@ bool lifts(const RefinementPlan& plan, std::uint32_t corner) {
   return plan.greatest[f] > 1 && face_point_label(FaceLabels(plan.cage, plan.labels, f)) > 0;
 }
 
-/// The side that leaves a corner; a and b are the labels at its ends.
-ControlSide side_at(const RefinementPlan& plan, std::uint32_t corner, std::uint8_t a,
-                    std::uint8_t b) {
+/// The side that leaves a corner; a and b are the labels at its ends. Inlined, since a result of
+/// small members that goes through memory is waited for.
+[[gnu::always_inline]] inline ControlSide side_at(const RefinementPlan& plan, std::uint32_t corner,
+                                                  std::uint8_t a, std::uint8_t b) {
   const FlatTopology& topology = *plan.cage.topology;
   ControlSide side;
   if (a == 0 && b == 0) {
     return side;
   }
-  const std::uint32_t edge = topology.corner_edges[corner];
-  const auto [first, second] = topology.edge_corners[edge];
-  side.run = {plan.numbering->first_on_edge(edge), 1};
+  const std::uint32_t twin = plan.cage.twin(corner);
+  const auto [first, second] = std::minmax(corner, twin);
+  side.run = {plan.numbering->first_on_edge(topology.corner_edges[corner]), 1};
   if (corner != first) {
     side.run = {side.run.first + LabelCounts::table().edge(a, b) - 1, 0u - 1u};
   }
@@ -75,7 +76,7 @@ void refine_quad(const RefinementPlan& plan, std::uint32_t f, const RefinedArray
     node.sides[i] = side.run;
     node.owned_sides |= bit(i, side.is_own);
     node.lifted_sides |= bit(i, side.is_lifted);
-    node.owned_corners |= bit(i, plan.vertex_owners[node.corners[i]] == first + i);
+    node.owned_corners |= bit(i, plan.owns(first + i));
   }
   Patch patch;
   gather_quad(cage, *plan.rings, f, patch);
@@ -178,7 +179,7 @@ class PolygonRefinement {
 
     Patch patch;
     gather_polygon_corner(plan_->cage, *plan_->rings, f_, corner, patch);
-    if (plan_->vertex_owners[vertex] == corner) {
+    if (plan_->owns(corner)) {
       if (node.labels[0] > 0) {
         node.owned_corners |= bit(0);
       } else {
@@ -233,11 +234,10 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
   const FlatTopology& topology = *cage.topology;
   sweep.each(cage.vertex_count(), [&](std::size_t i) {
     const auto v = static_cast<std::uint32_t>(i);
-    const std::span<const std::uint32_t> corners = corners_around(cage, v);
-    owners[v] = corners.front();
     if (labels[v] > 0) {
       return;
     }
+    const std::span<const std::uint32_t> corners = corners_around(cage, v);
     const auto moves = [&](std::uint32_t corner) {
       return greatest[cage.face_of(corner)] > 0 &&
              (labels[topology.corner_vertices[cage.next(corner)]] |
@@ -254,6 +254,22 @@ void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std:
       }
     }
   });
+}
+
+void prefetch_face(const RefinementPlan& plan, std::uint32_t f) noexcept {
+  const FlatTopology& topology = *plan.cage.topology;
+  if (plan.greatest[f] == 0 || topology.quad_rings.empty()) {
+    return;
+  }
+  const std::uint32_t first = plan.cage.first_corner(f);
+  const std::uint32_t n = plan.cage.side_count(f);
+  for (std::uint32_t corner = first; corner < first + n; ++corner) {
+    __builtin_prefetch(&plan.cage.points[topology.corner_vertices[corner]]);
+    plan.numbering->prefetch_edge(topology.corner_edges[corner]);
+  }
+  for (const std::uint32_t v : topology.quad_rings[f]) {
+    __builtin_prefetch(plan.cage.points.data() + (v == kNone ? 0 : v));
+  }
 }
 
 void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays) {

@@ -21,20 +21,29 @@ struct RefinementPlan {
   std::uint8_t greatest_of_all = 0;
   const Numbering* numbering = nullptr;
   const RingTables* rings = nullptr;
-  std::span<const std::uint32_t>
-      vertex_owners;  ///< The corner that sees to a vertex; kNone: placed.
+  std::span<const std::uint32_t> resting_owners;  ///< See place_resting_vertices.
 
   /// Whether face f is no quad and stays as it is.
   [[nodiscard]] bool is_resting_polygon(std::uint32_t f) const noexcept {
     return greatest[f] == 0 && cage.side_count(f) != 4;
   }
+  /// Whether a corner's face writes the vertex at it.
+  [[nodiscard]] bool owns(std::uint32_t corner) const noexcept {
+    const std::uint32_t v = cage.topology->corner_vertices[corner];
+    return labels[v] > 0 ? cage.topology->corner_ranks[corner] == 0 : resting_owners[v] == corner;
+  }
 };
 
-/// For each vertex of the cage the corner whose face writes it; vertices that never move are
-/// written at once.
+/// Writes the vertices of the cage that never move. For each of the others with label 0, `owners`
+/// gets the corner whose face writes it, being one that moves it; for those that never move kNone.
+/// Vertices with positive labels are their first corner's.
 void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
                             std::span<const std::uint8_t> greatest, const RingTables& rings,
                             const RefinedArrays& arrays, LargeArray<std::uint32_t>& owners);
+
+/// Fetches what `refine_face` will read of face f: in a large mesh the vertices around a face are
+/// far apart in memory.
+void prefetch_face(const RefinementPlan& plan, std::uint32_t f) noexcept;
 
 /// Writes everything that becomes of face f, which is no resting polygon.
 void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays);

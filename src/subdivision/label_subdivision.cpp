@@ -25,6 +25,8 @@ constexpr std::uint64_t kMostFaces = 0x3FFFFFF0u;
 
 /// Faces one thread takes at a time, and how much they may become before progress is reported.
 constexpr std::size_t kFaceGrain = 64;
+/// How far ahead of the face being refined others' points are fetched.
+constexpr std::uint32_t kFacesAhead = 6;
 constexpr std::uint64_t kQuadsBetweenReports = std::uint64_t{1} << 20;
 
 /// The world's origin, unless floats relative to it would be too coarse. The Catmull-Clark points
@@ -216,6 +218,9 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
   const RefinementPlan uv_plan = work.texture.plan();
   sweep.ranges(mesh.face_count(), slab, grain, 1, [&](std::size_t begin, std::size_t end) {
     for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
+      if (f + kFacesAhead < end) {
+        prefetch_face(plan, f + kFacesAhead);
+      }
       if (plan.is_resting_polygon(f)) {
         write_polygon(plan, f, result);
         if (has_texture) {

@@ -23,9 +23,8 @@ void for_each_own_edge(const Cage& cage, std::size_t f, const Visit& visit) {
   const std::uint32_t first = cage.first_corner(f);
   const std::uint32_t n = cage.side_count(f);
   for (std::uint32_t side = 0; side < n; ++side) {
-    const std::uint32_t edge = cage.topology->corner_edges[first + side];
-    if (cage.topology->edge_corners[edge][0] == first + side) {
-      visit(edge, side);
+    if (cage.is_first(first + side)) {
+      visit(cage.topology->corner_edges[first + side], side);
     }
   }
 }

@@ -40,6 +40,7 @@ class Numbering {
   [[nodiscard]] std::uint32_t first_inside(std::size_t f) const noexcept { return insides_[f]; }
   /// First vertex on an edge, from the vertex of its first corner on; unset where it is not split.
   [[nodiscard]] std::uint32_t first_on_edge(std::size_t e) const noexcept { return edges_[e]; }
+  void prefetch_edge(std::size_t e) const noexcept { __builtin_prefetch(&edges_[e]); }
 
  private:
   LargeArray<std::uint32_t> faces_;

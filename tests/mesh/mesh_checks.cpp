@@ -56,6 +56,9 @@ void check_faces(const ControlMesh& mesh, std::vector<std::string>& faults) {
 void check_edges(const ControlMesh& mesh, std::vector<std::string>& faults) {
   const FlatTopology& t = mesh.topology();
   for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+    if (t.edge_corners[e][0] >= t.edge_corners[e][1]) {
+      faults.push_back(fmt::format("edge {} has its higher corner first", e));
+    }
     for (std::size_t side = 0; side < 2; ++side) {
       const std::uint32_t c = t.edge_corners[e][side];
       if (c == kNone) {

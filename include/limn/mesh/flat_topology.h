@@ -21,7 +21,8 @@ struct FlatTopology {
   std::vector<std::uint32_t> corner_edges;     ///< C, edge from this corner to the next.
   std::vector<std::uint32_t> corner_faces;     ///< C, the face a corner belongs to.
   std::vector<std::array<std::uint32_t, 2>> edge_vertices;  ///< E, from corner to corner:
-  std::vector<std::array<std::uint32_t, 2>> edge_corners;   ///< E, second is kNone on a boundary.
+  std::vector<std::array<std::uint32_t, 2>> edge_corners;   ///< E, lower first; second is kNone on
+                                                            ///< a boundary.
 
   // What follows from the above (mesh/flat_topology.cpp).
 
