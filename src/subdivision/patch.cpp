@@ -5,12 +5,13 @@
 #include "subdivision/patch.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "limn/contract.h"
 #include "subdivision/parallel_ranges.h"
 #include "subdivision/patch_levels.h"
 #include "subdivision/patch_limits.h"
-#include "subdivision/tensor_limit.h"
+#include "subdivision/tensor_kernels.h"
 
 namespace limn {
 namespace {
@@ -20,19 +21,11 @@ namespace {
 constexpr int kGridLevels = 6;
 constexpr std::size_t kGridSide = (std::size_t{1} << kGridLevels) + 1;          ///< Vertices.
 constexpr std::size_t kStoredSide = (std::size_t{1} << (kGridLevels - 1)) + 3;  ///< With a ring.
-constexpr std::size_t kLastSide = kGridSide + 2;  ///< Of the last level, which limits are from.
-static_assert(kGridSide <= kLongestRow);
+static_assert(kStoredSide <= kLongestLimitRow);
 /// Children of nodes with so many quads are worth a task of their own.
 constexpr std::uint32_t kParallelQuads = std::uint32_t{1} << 17;
 
 constexpr std::size_t kAround = 5;  ///< Points along a side of one face's next level, with a ring.
-
-/// The grid that a step down from this one gives, ring included.
-PatchGrid one_level_down(const PatchGrid& grid, const Point* points) {
-  const std::size_t n = 2 * grid.grid.n;
-  return {{points, n + 3, n}, grid.level + 1,     2 * grid.column,
-          2 * grid.row,       grid.patch_corners, grid.patch_sides};
-}
 
 PatchGrid around(const Node& node, const GridView& grid) {
   return {grid, node.level, node.column, node.row, node.patch_corners, node.patch_sides};
@@ -60,8 +53,6 @@ class Around {
   PatchGrid node_;
 };
 
-constexpr std::array<GridPlace, 4> kCorners{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
-constexpr std::array<GridPlace, 4> kMiddles{{{1, 0}, {2, 1}, {1, 2}, {0, 1}}};
 constexpr GridPlace kCentre{1, 1};
 
 class PatchWriter {
@@ -76,7 +67,7 @@ class PatchWriter {
   void write_uniform(const Node& node, const GridView& grid) const;
   void write_last(const Node& node, const GridView& grid) const;
   void write_uniform_quads(const Node& node, std::size_t n) const;
-  void write_uniform_limits(const Node& node, const PatchGrid& before_last) const;
+  void write_uniform_border(const Node& node, const PatchGrid& last) const;
   void write_split(const Node& node, const GridView& grid) const;
   void write_y(const Node& node, const GridView& grid) const;
   void put_quad(std::uint32_t at, const std::array<std::uint32_t, 4>& quad, int level) const;
@@ -210,7 +201,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
       if (children[i].labels[i] > 0) {
         children[i].owned_corners |= bit(i);
       } else {
-        put(node.corners[i], next, kCorners[i]);
+        put(node.corners[i], next, kCornersOfFour[i]);
       }
     }
     if (has(node.owned_sides, i) && midpoints.vertices[i] != kNone) {
@@ -220,7 +211,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
       } else if (children[after].labels[after] > 0) {
         children[after].owned_corners |= bit(i);
       } else {
-        put(midpoints.vertices[i], next, kMiddles[i]);
+        put(midpoints.vertices[i], next, kMiddlesOfFour[i]);
       }
     }
     // The inner edge from the midpoint of side i to the centre has children i and i + 1 beside it.
@@ -291,7 +282,7 @@ void PatchWriter::write_y(const Node& node, const GridView& grid) const {
       if (i == positive && goes_on) {
         child.owned_corners |= bit(i);
       } else {
-        put(node.corners[i], next, kCorners[i]);
+        put(node.corners[i], next, kCornersOfFour[i]);
       }
     }
   }
@@ -300,7 +291,7 @@ void PatchWriter::write_y(const Node& node, const GridView& grid) const {
       if (goes_on) {
         child.owned_corners |= bit(child_corner);
       } else {
-        put(midpoints.vertices[side], next, kMiddles[side]);
+        put(midpoints.vertices[side], next, kMiddlesOfFour[side]);
       }
     }
   };
@@ -318,53 +309,54 @@ void PatchWriter::write_y(const Node& node, const GridView& grid) const {
            level);
 }
 
-/// The numbers of a uniform node's vertices, row by row.
-class RowNumbers {
- public:
-  RowNumbers(const Node& node, std::size_t n) : node_(&node), n_(static_cast<std::uint32_t>(n)) {}
-
-  void fill(std::uint32_t row, std::uint32_t* out) const {
-    const std::array<std::uint32_t, 4>& corners = node_->corners;
-    const std::array<EdgeRun, 4>& sides = node_->sides;
-    if (row == 0 || row == n_) {
-      const bool is_first = row == 0;
-      out[0] = corners[is_first ? 0 : 3];
-      for (std::uint32_t i = 1; i < n_; ++i) {
-        out[i] = is_first ? sides[0].at(i - 1) : sides[2].at(n_ - 1 - i);
-      }
-      out[n_] = corners[is_first ? 1 : 2];
-      return;
-    }
-    out[0] = sides[3].at(n_ - 1 - row);
-    const std::uint32_t first = node_->inside + (row - 1) * (n_ - 1);
-    for (std::uint32_t i = 1; i < n_; ++i) {
-      out[i] = first + i - 1;
-    }
-    out[n_] = sides[1].at(row - 1);
-  }
-
- private:
-  const Node* node_;
-  std::uint32_t n_;
+/// The numbers of a row of a uniform node's vertices.
+struct NumberRow {
+  std::uint32_t first = 0;
+  EdgeRun inner;
+  std::uint32_t last = 0;
 };
 
-void PatchWriter::write_uniform_quads(const Node& node, std::size_t n) const {
-  const RowNumbers numbers(node, n);
-  std::array<std::array<std::uint32_t, kGridSide>, 2> rows;
-  numbers.fill(0, rows[0].data());
-  std::array<std::uint32_t, 4>* quad = arrays_->quads + node.quad;
+NumberRow number_row(const Node& node, std::uint32_t n, std::uint32_t row) {
+  const std::array<std::uint32_t, 4>& corners = node.corners;
+  const std::array<EdgeRun, 4>& sides = node.sides;
+  if (row == 0) {
+    return {corners[0], sides[0], corners[1]};
+  }
+  if (row == n) {
+    return {corners[3], reversed(sides[2], n - 1), corners[2]};
+  }
+  return {sides[3].at(n - 1 - row), {node.inside + (row - 1) * (n - 1), 1}, sides[1].at(row - 1)};
+}
+
+using Quad [[gnu::vector_size(16)]] = std::uint32_t;
+
+/// The n quads between two rows.
+void write_quad_row(const NumberRow& below, const NumberRow& above, std::uint32_t n,
+                    std::array<std::uint32_t, 4>* out) {
+  const auto put = [&out](const Quad& quad) { std::memcpy(out++, &quad, sizeof quad); };
+  const EdgeRun b = below.inner;
+  const EdgeRun a = above.inner;
+  put(Quad{below.first, b.first, a.first, above.first});
+  Quad inner{b.first, b.first + b.step, a.first + a.step, a.first};
+  const Quad step{b.step, b.step, a.step, a.step};
+  for (std::uint32_t i = 2; i < n; ++i) {
+    put(inner);
+    inner += step;
+  }
+  put(Quad{inner[0], below.last, above.last, inner[3]});
+}
+
+void PatchWriter::write_uniform_quads(const Node& node, std::size_t side) const {
+  const auto n = static_cast<std::uint32_t>(side);
+  NumberRow below = number_row(node, n, 0);
   for (std::uint32_t row = 0; row < n; ++row) {
-    const std::uint32_t* below = rows[row % 2].data();
-    std::uint32_t* above = rows[(row + 1) % 2].data();
-    numbers.fill(row + 1, above);
-    for (std::size_t i = 0; i < n; ++i) {
-      quad[i] = {below[i], below[i + 1], above[i + 1], above[i]};
-    }
-    quad += n;
+    const NumberRow above = number_row(node, n, row + 1);
+    write_quad_row(below, above, n, arrays_->quads + node.quad + std::size_t{row} * n);
+    below = above;
   }
   if (arrays_->face_control_faces != nullptr) {
-    std::fill_n(arrays_->face_control_faces + node.quad, n * n, control_face_);
-    std::fill_n(arrays_->face_levels + node.quad, n * n,
+    std::fill_n(arrays_->face_control_faces + node.quad, side * side, control_face_);
+    std::fill_n(arrays_->face_levels + node.quad, side * side,
                 static_cast<std::uint8_t>(node.level + node.labels[0]));
   }
 }
@@ -394,55 +386,54 @@ void PatchWriter::write_last(const Node& node, const GridView& grid) const {
     put_quad(node.quad + i, quad, node.level + 1);
   }
   if (arrays_->takes_limits()) {
-    write_uniform_limits(node, last);
+    put_last_limits(*patch_, node, last, *arrays_);
   }
 }
 
 void PatchWriter::write_uniform(const Node& node, const GridView& grid) const {
   std::array<std::array<Point, kStoredSide * kStoredSide>, 2> levels;
+  Point* points = nullptr;
   PatchGrid last = around(node, grid);
   for (int step = 1; step < node.labels[0]; ++step) {
-    Point* out = levels[static_cast<std::size_t>(step) % 2].data();
-    step_down(*patch_, last, out);
-    last = one_level_down(last, out);
+    points = levels[static_cast<std::size_t>(step) % 2].data();
+    step_down(*patch_, last, points);
+    last = one_level_down(last, points);
   }
   const std::size_t n = 2 * last.grid.n;
   write_uniform_quads(node, n);
 
   const int level = last.level + 1;
-  const std::size_t inner = (n - 1) * (n - 1);
-  float* points = arrays_->points + arrays_->width * node.inside;
-  for (std::size_t row = 2; row <= n && !arrays_->takes_limits(); ++row) {
-    const auto write_row = patch_->is_bilinear ? bilinear_inner_row : refine_inner_row;
-    write_row(last.grid, row, points, arrays_->width);
-    points += arrays_->width * (n - 1);
+  if (!arrays_->has_limit_points) {
+    const auto write_rows = patch_->is_bilinear ? bilinear_inner_rows : refine_inner_rows;
+    write_rows(last.grid, arrays_->points + arrays_->width * node.inside, arrays_->width);
   }
   if (arrays_->vertex_levels != nullptr) {
-    std::fill_n(arrays_->vertex_levels + node.inside, inner, static_cast<std::uint8_t>(level));
+    std::fill_n(arrays_->vertex_levels + node.inside, (n - 1) * (n - 1),
+                static_cast<std::uint8_t>(level));
   }
-  std::array<Point, kGridSide + 1> line;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (has(node.owned_sides, i)) {
-      step_down_side(*patch_, last, i, line.data());
-      for (std::uint32_t at = 1; at < n; ++at) {
-        const auto along = static_cast<std::uint32_t>(i < 2 ? at - 1 : n - 1 - at);
-        arrays_->put(node.sides[i].at(along), line[at], level);
-      }
-    }
-    if (has(node.owned_corners, i)) {
-      arrays_->put(node.corners[i], step_down_corner(*patch_, last, i), level);
-    }
-  }
+  write_uniform_border(node, last);
   if (arrays_->takes_limits()) {
-    write_uniform_limits(node, last);
+    put_uniform_limits(*patch_, node, last, points, *arrays_);
   }
 }
 
-/// Takes the one step more, ring and all, that positions of their level do without.
-void PatchWriter::write_uniform_limits(const Node& node, const PatchGrid& before_last) const {
-  std::array<Point, kLastSide * kLastSide> points;
-  step_down(*patch_, before_last, points.data());
-  put_uniform_limits(*patch_, node, one_level_down(before_last, points.data()), *arrays_);
+/// The sides and corners that a uniform node owns, out of its last level but one.
+void PatchWriter::write_uniform_border(const Node& node, const PatchGrid& last) const {
+  const std::size_t n = 2 * last.grid.n;
+  std::array<Point, kGridSide + 2> line_with_ends;
+  Point* const line = line_with_ends.data() + 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (has(node.owned_sides, i)) {
+      step_down_side(*patch_, last, i, line);
+      for (std::uint32_t at = 1; at < n; ++at) {
+        const auto along = static_cast<std::uint32_t>(i < 2 ? at - 1 : n - 1 - at);
+        arrays_->put(node.sides[i].at(along), line[at], last.level + 1);
+      }
+    }
+    if (has(node.owned_corners, i)) {
+      arrays_->put(node.corners[i], step_down_corner(*patch_, last, i), last.level + 1);
+    }
+  }
 }
 
 }  // namespace

@@ -12,21 +12,6 @@ namespace {
 /// The longest line: the grids of a uniform node before its last step (patch.cpp), ring included.
 constexpr std::size_t kLongestLine = 131;
 
-/// The line of vertices along a side in a grid with n faces a side.
-GridLine side_line(const GridView& grid, std::size_t side) {
-  const std::size_t last = grid.n + 1;
-  switch (side) {
-    case 0:
-      return {grid.points + grid.stride, 1, grid.stride, grid.n};
-    case 1:
-      return {grid.points + last, grid.stride, 1, grid.n};
-    case 2:
-      return {grid.points + last * grid.stride, 1, grid.stride, grid.n};
-    default:
-      return {grid.points + 1, grid.stride, 1, grid.n};
-  }
-}
-
 /// How much of the rule of a crease the vertex at the start of an edge of the side takes.
 float share_at_vertex(const SideSharpness& sharpness, int level, std::ptrdiff_t edge) {
   return sharp_share_of_vertex(sharpness.at(level, edge - 1), sharpness.at(level, edge),
@@ -93,6 +78,32 @@ void step_down_bilinear(const GridView& grid, Point* out) {
 
 }  // namespace
 
+GridLine side_line(const GridView& grid, std::size_t i) noexcept {
+  const std::size_t last = grid.n + 1;
+  switch (i) {
+    case 0:
+      return {grid.points + grid.stride, 1, grid.stride, grid.n};
+    case 1:
+      return {grid.points + last, grid.stride, 1, grid.n};
+    case 2:
+      return {grid.points + last * grid.stride, 1, grid.stride, grid.n};
+    default:
+      return {grid.points + 1, grid.stride, 1, grid.n};
+  }
+}
+
+PatchGrid face_at_corner(const PatchGrid& grid, std::size_t i) noexcept {
+  const std::size_t x = i == 1 || i == 2 ? grid.grid.n - 1 : 0;
+  const std::size_t y = i >= 2 ? grid.grid.n - 1 : 0;
+  const auto sides = static_cast<std::uint8_t>(bit(i) | bit((i + 3) % 4));
+  return {{grid.grid.points + y * grid.grid.stride + x, grid.grid.stride, 1},
+          grid.level,
+          grid.column + static_cast<std::uint32_t>(x),
+          grid.row + static_cast<std::uint32_t>(y),
+          static_cast<std::uint8_t>(grid.patch_corners & bit(i)),
+          static_cast<std::uint8_t>(grid.patch_sides & sides)};
+}
+
 void step_down(const Patch& patch, const PatchGrid& from, Point* out) {
   if (patch.is_bilinear) {
     step_down_bilinear(from.grid, out);
@@ -142,22 +153,20 @@ void step_down_side(const Patch& patch, const PatchGrid& from, std::size_t side,
     }
     return;
   }
-  std::array<Point, kLongestLine> points;
-  refine_line(line, points.data() + 1);
+  refine_line(line, out);
   if (has(from.patch_sides, side)) {
-    points[0] = points[1];  // Beyond the ends: overridden and forgotten.
-    points[2 * n + 2] = points[1];
+    out[-1] = out[0];  // Beyond the ends: overridden and forgotten.
+    out[2 * n + 1] = out[0];
     override_side(patch.sides[side], from.level, side % 2 == 0 ? from.column : from.row, line,
-                  points.data(), 1);
+                  out - 1, 1);
   }
-  std::copy_n(points.data() + 1, 2 * n + 1, out);
 }
 
 Point step_down_middle(const Patch& patch, const PatchGrid& from, std::size_t i) {
   if (patch.is_bilinear || (has(from.patch_sides, i) && patch.sides[i].kind != SideKind::kOpen)) {
-    std::array<Point, 4> line;
-    step_down_side(patch, from, i, line.data());
-    return line[1];
+    std::array<Point, 5> line;
+    step_down_side(patch, from, i, line.data() + 1);
+    return line[2];
   }
   const GridLine line = side_line(from.grid, i);
   const Point* here = line.points + line.along;

@@ -10,9 +10,11 @@
 #include "subdivision/patch_limits.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 #include "subdivision/sharpness.h"
+#include "subdivision/tensor_kernels.h"
 #include "subdivision/tensor_limit.h"
 #include "subdivision/vertex_ring.h"
 
@@ -132,29 +134,188 @@ LimitPoint limit_in_patch(const Patch& patch, const PatchGrid& at, const GridPla
   return tensor_limit(points);
 }
 
-void put_uniform_limits(const Patch& patch, const Node& node, const PatchGrid& last,
-                        const RefinedArrays& arrays) {
-  const std::size_t n = last.grid.n;
-  const std::size_t first = std::size_t{3} * node.inside;
-  for (std::size_t row = 1; row < n && !arrays.has_limit_points; ++row) {
-    copy_inner_row(last.grid, row, arrays.points + first + 3 * (row - 1) * (n - 1));
+namespace {
+
+/// The longest level whose limits are taken vertex by vertex, with the ring.
+constexpr std::size_t kLongestLevel = 2 * (kLongestLimitRow - 3) + 3;
+
+/// How the limits along a side that lies on the patch's are found.
+enum class SideLimits {
+  kSmooth,    ///< As inside.
+  kMirrored,  ///< As inside, once what lies beyond mirrors what lies within.
+  kWearing,   ///< Vertex by vertex: it changes rules at some level.
+};
+
+SideLimits side_limits(const Patch& patch, const PatchGrid& grid, std::size_t i) {
+  const PatchSide& side = patch.sides[i];
+  if (!has(grid.patch_sides, i) || side.kind == SideKind::kOpen) {
+    return SideLimits::kSmooth;
   }
-  limit_inner_rows(last.grid, {arrays.has_limit_points ? arrays.points + first : nullptr,
-                               arrays.normals == nullptr ? nullptr : arrays.normals + first});
+  if (side.kind != SideKind::kSharp) {
+    return SideLimits::kMirrored;
+  }
+  // A crease that ends beside the grid counts as well: Chaikin's rule lets parts of a side wear off
+  // first.
+  const std::ptrdiff_t first = i % 2 == 0 ? grid.column : grid.row;
+  const auto n = static_cast<std::ptrdiff_t>(grid.grid.n);
+  bool is_infinite_somewhere = false;
+  for (std::ptrdiff_t edge = first - 1; edge <= first + n; ++edge) {
+    const float sharpness = side.sharpness.at(grid.level, edge);
+    if (is_semi_sharp(sharpness)) {
+      return SideLimits::kWearing;
+    }
+    is_infinite_somewhere = is_infinite_somewhere || is_sharp(sharpness);
+  }
+  return is_infinite_somewhere ? SideLimits::kMirrored : SideLimits::kSmooth;
+}
+
+/// Replaces the ring beyond side i.
+void mirror_ring(const GridView& grid, std::size_t i, Point* points) {
+  const GridLine line = side_line(grid, i);
+  const auto inwards = i == 0 || i == 3 ? static_cast<std::ptrdiff_t>(line.across)
+                                        : -static_cast<std::ptrdiff_t>(line.across);
+  Point* on = points + (line.points - grid.points);
+  for (std::size_t x = 0; x < grid.n + 3; ++x, on += line.along) {
+    *(on - inwards) = *on * 2.0 - on[inwards];
+  }
+}
+
+void put_corner_limits(const Patch& patch, const Node& node, const PatchGrid& grid,
+                       const RefinedArrays& arrays) {
+  const std::size_t n = grid.grid.n;
   const std::array<GridPlace, 4> corners{{{0, 0}, {n, 0}, {n, n}, {0, n}}};
   for (std::size_t i = 0; i < 4; ++i) {
     if (has(node.owned_corners, i)) {
-      arrays.put_limit(node.corners[i], limit_in_patch(patch, last, corners[i]));
-    }
-    if (has(node.owned_sides, i)) {
-      for (std::size_t along = 1; along < n; ++along) {
-        const std::array<GridPlace, 4> places{
-            {{along, 0}, {n, along}, {n - along, n}, {0, n - along}}};
-        arrays.put_limit(node.sides[i].at(static_cast<std::uint32_t>(along - 1)),
-                         limit_in_patch(patch, last, places[i]));
-      }
+      arrays.put_limit(node.corners[i], limit_in_patch(patch, grid, corners[i]));
     }
   }
+}
+
+/// Calls `put(number, at)` for the vertices 1..n - 1 of an owned side, `at` counting them from 0 in
+/// the direction of growing columns or rows.
+template <class Put>
+void for_each_along(const Node& node, std::size_t side, std::size_t n, const Put& put) {
+  for (std::size_t at = 0; at < n - 1; ++at) {
+    const std::size_t along = side < 2 ? at : n - 2 - at;
+    put(node.sides[side].at(static_cast<std::uint32_t>(along)), at);
+  }
+}
+
+void put_side_limits(const Node& node, const GridView& grid, float* positions) {
+  std::array<Point, kLongestLevel> line;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (has(node.owned_sides, i)) {
+      limit_line(side_line(grid, i), line.data());
+      for_each_along(node, i, 2 * grid.n, [&](std::uint32_t vertex, std::size_t at) {
+        const glm::vec3 point = to_vec3(line[at]);
+        std::memcpy(positions + std::size_t{3} * vertex, &point, sizeof point);
+      });
+    }
+  }
+}
+
+void put_normals(const Node& node, const GridView& grid, float* normals) {
+  std::array<std::array<float, 3 * kLongestLevel>, 4> sides;
+  NormalArrays out{normals + std::size_t{3} * node.inside, {}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    out.sides[i] = has(node.owned_sides, i) ? sides[i].data() : nullptr;
+  }
+  limit_normals(grid, out);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (has(node.owned_sides, i)) {
+      for_each_along(node, i, 2 * grid.n, [&](std::uint32_t vertex, std::size_t at) {
+        std::memcpy(normals + std::size_t{3} * vertex, sides[i].data() + 3 * at, 3 * sizeof(float));
+      });
+    }
+  }
+}
+
+/// Out of the last level with its ring, all but the corners.
+void put_limits_one_by_one(const Patch& patch, const Node& node, const PatchGrid& last,
+                           const RefinedArrays& arrays) {
+  const std::size_t n = last.grid.n;
+  std::uint32_t number = node.inside;
+  for (std::size_t y = 1; y < n; ++y) {
+    for (std::size_t x = 1; x < n; ++x) {
+      arrays.put_limit(number++, limit_in_patch(patch, last, {x, y}));
+    }
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (has(node.owned_sides, i)) {
+      for_each_along(node, i, n, [&](std::uint32_t vertex, std::size_t at) {
+        const std::array<GridPlace, 4> places{{{at + 1, 0}, {n, at + 1}, {at + 1, n}, {0, at + 1}}};
+        arrays.put_limit(vertex, limit_in_patch(patch, last, places[i]));
+      });
+    }
+  }
+}
+
+/// Beside an irregular corner i the surface is no B-spline until the next level, where three
+/// vertices lie on the face there.
+void put_limits_beside_corner(const Patch& patch, const Node& node, const PatchGrid& before_last,
+                              std::size_t i, const RefinedArrays& arrays) {
+  const PatchGrid face = face_at_corner(before_last, i);
+  std::array<Point, 25> points;
+  step_down(patch, face, points.data());
+  const PatchGrid next = one_level_down(face, points.data());
+  const std::size_t before = (i + 3) % 4;
+  const auto last = static_cast<std::uint32_t>(2 * before_last.grid.n - 2);
+  const std::uint32_t column = i == 1 || i == 2 ? last : 0;
+  const std::uint32_t row = i >= 2 ? last : 0;
+  arrays.put_limit(node.inside + row * (last + 1) + column, limit_in_patch(patch, next, {1, 1}));
+  if (has(node.owned_sides, i)) {
+    arrays.put_limit(node.sides[i].at(0), limit_in_patch(patch, next, kMiddlesOfFour[i]));
+  }
+  if (has(node.owned_sides, before)) {
+    arrays.put_limit(node.sides[before].at(last),
+                     limit_in_patch(patch, next, kMiddlesOfFour[before]));
+  }
+}
+
+}  // namespace
+
+void put_uniform_limits(const Patch& patch, const Node& node, const PatchGrid& before_last,
+                        Point* points, const RefinedArrays& arrays) {
+  const GridView& grid = before_last.grid;
+  put_corner_limits(patch, node, before_last, arrays);
+  std::array<SideLimits, 4> sides;
+  for (std::size_t i = 0; i < 4; ++i) {
+    sides[i] = side_limits(patch, before_last, i);
+  }
+  if (std::ranges::find(sides, SideLimits::kWearing) != sides.end()) {
+    std::array<Point, kLongestLevel * kLongestLevel> last;
+    step_down(patch, before_last, last.data());
+    put_limits_one_by_one(patch, node, one_level_down(before_last, last.data()), arrays);
+    return;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (sides[i] == SideLimits::kMirrored) {
+      mirror_ring(grid, i, points);
+    }
+  }
+  const std::size_t first = std::size_t{3} * node.inside;
+  if (arrays.has_limit_points) {
+    limit_inner_rows(grid, arrays.points + first);
+  }
+  if (arrays.has_limit_points) {
+    put_side_limits(node, grid, arrays.points);
+  }
+  if (arrays.normals != nullptr) {
+    put_normals(node, grid, arrays.normals);
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (has(before_last.patch_corners, i) && patch.corners[i].ring.exists()) {
+      put_limits_beside_corner(patch, node, before_last, i, arrays);
+    }
+  }
+}
+
+void put_last_limits(const Patch& patch, const Node& node, const PatchGrid& grid,
+                     const RefinedArrays& arrays) {
+  std::array<Point, 25> points;
+  step_down(patch, grid, points.data());
+  put_limits_one_by_one(patch, node, one_level_down(grid, points.data()), arrays);
+  put_corner_limits(patch, node, grid, arrays);
 }
 
 LimitPoint limit_in_cage(const Cage& cage, const RingTables& rings, std::uint32_t v) {

@@ -20,10 +20,18 @@ struct GridPlace {
 [[nodiscard]] LimitPoint limit_in_patch(const Patch& patch, const PatchGrid& at,
                                         const GridPlace& place);
 
-/// The limits of all vertices that a uniform node owns, out of its last level with the ring; where
-/// positions are not the limit's, of those inside also these.
-void put_uniform_limits(const Patch& patch, const Node& node, const PatchGrid& last,
-                        const RefinedArrays& arrays);
+/// In a face's next level the corners, and the midpoints of the sides.
+inline constexpr std::array<GridPlace, 4> kCornersOfFour{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
+inline constexpr std::array<GridPlace, 4> kMiddlesOfFour{{{1, 0}, {2, 1}, {1, 2}, {0, 1}}};
+
+/// The limits of all vertices that a uniform node owns, out of its last level but one with the
+/// ring. `points` are that level's, and lose those beyond the patch's own sides.
+void put_uniform_limits(const Patch& patch, const Node& node, const PatchGrid& before_last,
+                        Point* points, const RefinedArrays& arrays);
+
+/// The same for a node of one level, whose positions are all put.
+void put_last_limits(const Patch& patch, const Node& node, const PatchGrid& grid,
+                     const RefinedArrays& arrays);
 
 /// The limit of a vertex of the cage. `rings` are the cage's, with limits.
 [[nodiscard]] LimitPoint limit_in_cage(const Cage& cage, const RingTables& rings, std::uint32_t v);

@@ -10,6 +10,10 @@ namespace limn {
 /// by a double, element by element (GCC's and Clang's vector extension).
 using Point [[gnu::vector_size(32)]] = double;
 
+/// A Point in memory. What alignment that of a Point itself is depends on the processor a file is
+/// compiled for; where files for several meet (tensor_kernels.h) they agree on this.
+using StoredPoint [[gnu::aligned(16)]] = Point;
+
 [[nodiscard]] inline Point to_point(const glm::dvec3& p) noexcept {
   return Point{p.x, p.y, p.z, 0.0};
 }

@@ -1,18 +1,20 @@
 // The limit of a vertex of a uniform cubic B-spline is (1 4 1)/6 of itself and its neighbours, and
-// its tangent has the direction of (-1 0 1). A surface takes the one along and the other across.
+// its tangent (-1 0 1)/2 of these; between two vertices it is (1 23 23 1)/48 and (-1 -5 5 1)/8. A
+// surface takes the one along and the other across. So the limits of a level come of the one
+// before.
 //
-// The normals of a grid are computed four at a time in single precision, coordinate by coordinate,
-// of points relative to the middle of the grid. That is exact enough wherever tangents are not tiny
-// beside the grid or nearly parallel, and where they are, double precision steps in.
+// The normals of a grid are computed some at a time in single precision, coordinate by coordinate,
+// of points relative to the middle of the grid (tensor_kernels.inl). That is exact enough wherever
+// tangents are not tiny beside the grid or nearly parallel, and where they are, double precision
+// steps in.
 #include "subdivision/tensor_limit.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
 #include "limn/contract.h"
-#include "subdivision/float_writer.h"
+#include "subdivision/tensor_kernels.h"
 
 namespace limn {
 namespace {
@@ -21,215 +23,120 @@ namespace {
   return before + here * 4.0 + after;
 }
 
-void put_floats(const glm::dvec3& v, float* out) noexcept {
-  out[0] = static_cast<float>(v.x);
-  out[1] = static_cast<float>(v.y);
-  out[2] = static_cast<float>(v.z);
-}
+/// Columns of three or four rows combined, ring included: 6 times the mean and twice the tangent.
+struct CombinedColumns {
+  std::array<Point, kLongestLimitRow> means;
+  std::array<Point, kLongestLimitRow> differences;
 
-/// Vertex x of a row with those around it.
-PointsAround points_around(const GridView& grid, std::size_t x, std::size_t row) {
-  PointsAround points;
-  const Point* from = grid.points + row * grid.stride + x;
-  for (std::size_t y = 0; y < 3; ++y, from += grid.stride) {
-    std::copy_n(from, 3, points.begin() + static_cast<std::ptrdiff_t>(3 * y));
+  /// Of row `row`, or between it and the next.
+  CombinedColumns(const GridView& grid, std::size_t row, bool is_between) {
+    const Point* here = grid.points + row * grid.stride;
+    for (std::size_t i = 0; i < grid.n + 3; ++i, ++here) {
+      const Point& before = *(here - grid.stride);
+      const Point& above = here[grid.stride];
+      if (is_between) {
+        const Point& after = here[2 * grid.stride];
+        means[i] = (before + after) * 0.125 + (*here + above) * 2.875;
+        differences[i] = (after - before) * 0.25 + (above - *here) * 1.25;
+      } else {
+        means[i] = weighted(before, *here, above);
+        differences[i] = above - before;
+      }
+    }
   }
-  return points;
-}
 
-void write_positions(const GridView& grid, std::size_t row, float* out) {
-  const Point* here = grid.points + (row + 1) * grid.stride;
-  const Point* below = here - grid.stride;
-  const Point* above = here + grid.stride;
-  const auto mean = [&](std::size_t x) { return weighted(below[x], here[x], above[x]); };
-  Point before = mean(1);
-  Point middle = mean(2);
-  FloatWriter<3> writer(out);
-  for (std::size_t x = 1; x + 1 < grid.n; ++x) {
-    const Point after = mean(x + 2);
-    writer.put(weighted(before, middle, after) * (1.0 / 36.0));
-    before = middle;
-    middle = after;
+  /// At vertex i one level down, 0..2 n.
+  [[nodiscard]] glm::dvec3 normal(std::size_t i) const noexcept {
+    const Point* m = means.data() + i / 2 + 1;
+    const Point* d = differences.data() + i / 2 + 1;
+    if (i % 2 == 0) {
+      return unit_normal(m[1] - m[-1], weighted(d[-1], d[0], d[1]));
+    }
+    return unit_normal((m[2] - m[-1]) + (m[1] - m[0]) * 5.0, (d[-1] + d[2]) + (d[0] + d[1]) * 23.0);
   }
-  writer.put_last(weighted(before, middle, mean(grid.n + 1)) * (1.0 / 36.0));
-}
-
-void write_precisely(const GridView& grid, std::size_t row, float* normals) {
-  for (std::size_t x = 1; x < grid.n; ++x, normals += 3) {
-    put_floats(tensor_limit(points_around(grid, x, row)).normal, normals);
-  }
-}
-
-/// The same coordinate of four vertices.
-using Four [[gnu::vector_size(16)]] = float;
-using FourInts [[gnu::vector_size(16)]] = std::int32_t;
-constexpr std::size_t kFour = 4;
-
-[[nodiscard]] inline Four load(const float* from) noexcept {
-  Four four;
-  std::memcpy(&four, from, sizeof four);
-  return four;
-}
-
-inline void store(Four four, float* to) noexcept {
-  std::memcpy(to, &four, sizeof four);
-}
-
-template <int... kAt>
-[[nodiscard]] inline Four shuffled(Four a, Four b) noexcept {
-  return __builtin_shufflevector(a, b, kAt...);
-}
-
-[[nodiscard]] inline bool all(FourInts truths) noexcept {
-  const auto halves = std::bit_cast<std::array<std::int64_t, 2>>(truths);
-  return (halves[0] & halves[1]) == -1;
-}
-
-/// Good to five millionths; the arguments are positive and normal.
-[[nodiscard]] inline Four reciprocal_root(Four x) noexcept {
-  const FourInts guess = 0x5F375A86 - (std::bit_cast<FourInts>(x) >> 1);
-  Four root = std::bit_cast<Four>(guess);
-  for (int i = 0; i < 2; ++i) {
-    root = root * (1.5f - 0.5f * x * root * root);  // Newton's method.
-  }
-  return root;
-}
-
-/// Read and written by fours, so it has room for some more.
-using FloatRow = std::array<float, kLongestRow + 3 * kFour>;
-
-/// The coordinates of a row of vertices.
-struct FloatPoints {
-  std::array<FloatRow, 3> coordinates;
 };
-
-/// x, y and z of the first, then of the second, and so on.
-inline void store_interleaved(Four x, Four y, Four z, float* to) noexcept {
-  const Four first = shuffled<0, 4, 1, 5>(x, y);
-  const Four second = shuffled<2, 6, 3, 7>(x, y);
-  const Four rest = shuffled<2, 3, 6, 7>(z, second);
-  store(shuffled<0, 1, 4, 6>(first, shuffled<0, 0, 5, 5>(z, x)), to);
-  store(shuffled<0, 2, 4, 5>(shuffled<3, 3, 5, 5>(first, z), second), to + kFour);
-  store(shuffled<0, 2, 3, 1>(rest, rest), to + 2 * kFour);
-}
 
 class GridNormals {
  public:
-  explicit GridNormals(const GridView& grid);
-  void write(float* out);
+  GridNormals(const GridView& grid, const NormalArrays& out);
+  void write();
 
  private:
-  void load_row(std::size_t row);
-  void combine_rows(std::size_t row);
-  bool write_row(float* out) const;
+  void combine_row(std::size_t y);
+  void compute_row(std::size_t y);
 
   const GridView* grid_;
-  Point middle_{};
-  Point scale_{};  ///< The grid becomes about 1 large.
-  std::array<FloatPoints, 3> rows_;
-  FloatPoints means_;  ///< Of three rows, (1 4 1) and (-1 0 1).
-  FloatPoints differences_;
+  const NormalArrays* out_;
+  const TensorKernels* kernels_;
+  CoordinateRow rows_[kLongestLimitRow];
+  /// In turns, so that what is read was not written just before: a processor waits for that.
+  std::array<CombinedRow, 2> combined_;
+  std::array<float, 6 * (kLongestLimitRow + 8)> normals_;  ///< Those of a row, borders included.
 };
 
-GridNormals::GridNormals(const GridView& grid) : grid_(&grid) {
+GridNormals::GridNormals(const GridView& grid, const NormalArrays& out)
+    : grid_(&grid), out_(&out), kernels_(&tensor_kernels()) {
   const std::size_t n = grid.n;
   const auto vertex = [&grid](std::size_t x, std::size_t y) {
     return grid.points[(y + 1) * grid.stride + x + 1];
   };
-  middle_ = vertex(n / 2, n / 2);
+  const Point middle = vertex(n / 2, n / 2);
   double extent = 0.0;
   for (const Point& corner : {vertex(0, 0), vertex(n, 0), vertex(0, n), vertex(n, n)}) {
     for (int axis = 0; axis < 3; ++axis) {
-      extent = std::max(extent, std::abs(corner[axis] - middle_[axis]));
+      extent = std::max(extent, std::abs(corner[axis] - middle[axis]));
     }
   }
   // Where all corners coincide, or are next to doing so, double precision sees to everything.
   const double scale = extent > 1e-100 ? 1.0 / extent : 0.0;
-  scale_ = Point{scale, scale, scale, scale};
+  // The grid becomes about 1 large.
+  kernels_->load_rows(grid, middle, Point{scale, scale, scale, scale}, rows_);
 }
 
-/// Past the row's end stand points of the ring.
-void GridNormals::load_row(std::size_t row) {
-  const Point* from = grid_->points + (row + 1) * grid_->stride + 1;
-  auto& [xs, ys, zs] = rows_[row % 3].coordinates;
-  const auto local = [from, middle = middle_, scale = scale_](std::size_t i) {
-    return __builtin_convertvector((from[i] - middle) * scale, Four);
-  };
-  for (std::size_t i = 0; i <= grid_->n; i += kFour) {
-    const Four a = local(i);
-    const Four b = local(i + 1);
-    const Four c = local(i + 2);
-    const Four d = local(i + 3);
-    const Four first = shuffled<0, 4, 1, 5>(a, b);
-    const Four second = shuffled<0, 4, 1, 5>(c, d);
-    store(shuffled<0, 1, 4, 5>(first, second), xs.data() + i);
-    store(shuffled<2, 3, 6, 7>(first, second), ys.data() + i);
-    store(shuffled<0, 1, 4, 5>(shuffled<2, 6, 3, 7>(a, b), shuffled<2, 6, 3, 7>(c, d)),
-          zs.data() + i);
-  }
+/// Row y of the next level, 0..2 n, out of those around it. The grid's row 0 is the ring's.
+void GridNormals::combine_row(std::size_t y) {
+  kernels_->combine_rows(rows_ + y / 2 + 1, grid_->n, y % 2 == 1, combined_[y % 2]);
 }
 
-void GridNormals::combine_rows(std::size_t row) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float* below = rows_[(row + 2) % 3].coordinates[axis].data();
-    const float* here = rows_[row % 3].coordinates[axis].data();
-    const float* above = rows_[(row + 1) % 3].coordinates[axis].data();
-    float* mean = means_.coordinates[axis].data();
-    float* difference = differences_.coordinates[axis].data();
-    for (std::size_t i = 0; i <= grid_->n; i += kFour) {
-      const Four low = load(below + i);
-      const Four high = load(above + i);
-      store(low + 4.0f * load(here + i) + high, mean + i);
-      store(high - low, difference + i);
-    }
-  }
-}
-
-/// Whether all normals of the row are exact enough.
-bool GridNormals::write_row(float* out) const {
-  // The least sine of the angle between tangents, times the lesser's length, at which rounding
-  // turns a normal by no more than a hundredth of a degree.
-  constexpr float kLeast = 5e-3f;
-  const auto along = [this](std::size_t axis, std::size_t x) {
-    const float* mean = means_.coordinates[axis].data() + x;
-    return load(mean + 1) - load(mean - 1);
-  };
-  const auto across = [this](std::size_t axis, std::size_t x) {
-    const float* difference = differences_.coordinates[axis].data() + x;
-    return load(difference - 1) + 4.0f * load(difference) + load(difference + 1);
-  };
-  FourInts are_good = {-1, -1, -1, -1};
+void GridNormals::compute_row(std::size_t y) {
   const std::size_t n = grid_->n;
-  for (std::size_t next = 1; next < n; next += kFour) {
-    const std::size_t first = std::min(next, n - kFour);  // The last four overlap those before.
-    const Four ax = along(0, first);
-    const Four ay = along(1, first);
-    const Four az = along(2, first);
-    const Four bx = across(0, first);
-    const Four by = across(1, first);
-    const Four bz = across(2, first);
-    const Four x = ay * bz - az * by;
-    const Four y = az * bx - ax * bz;
-    const Four z = ax * by - ay * bx;
-    const Four square = x * x + y * y + z * z;
-    are_good &= (square > kLeast * kLeast * (ax * ax + ay * ay + az * az)) &
-                (square > kLeast * kLeast * (bx * bx + by * by + bz * bz));
-    const Four root = reciprocal_root(square);
-    store_interleaved(x * root, y * root, z * root, out + 3 * (first - 1));
+  if (kernels_->write_normals(combined_[y % 2], n, normals_.data())) {
+    return;
   }
-  return all(are_good);
+  const CombinedColumns columns(*grid_, y / 2 + 1, y % 2 == 1);
+  for (std::size_t i = 0; i <= 2 * n; ++i) {
+    const glm::vec3 normal = columns.normal(i);
+    std::memcpy(normals_.data() + 3 * i, &normal, sizeof normal);
+  }
 }
 
-void GridNormals::write(float* out) {
-  load_row(0);
-  load_row(1);
-  for (std::size_t row = 1; row < grid_->n; ++row) {
-    load_row(row + 1);
-    combine_rows(row);
-    if (!write_row(out)) {
-      write_precisely(*grid_, row, out);
+void GridNormals::write() {
+  const std::size_t n = grid_->n;
+  const std::size_t inner = 3 * (2 * n - 1);
+  const auto put = [](float* to, const float* from, std::size_t floats) {
+    if (to != nullptr) {
+      std::memcpy(to, from, floats * sizeof(float));
     }
-    out += 3 * (grid_->n - 1);
+  };
+  const auto put_inner = [&](float* to) { put(to, normals_.data() + 3, inner); };
+  const std::size_t first = out_->sides[0] != nullptr ? 0 : 1;
+  const std::size_t last = out_->sides[2] != nullptr ? 2 * n : 2 * n - 1;
+  combine_row(first);
+  for (std::size_t y = first; y <= last; ++y) {
+    if (y < last) {
+      combine_row(y + 1);
+    }
+    compute_row(y);
+    if (y == 0 || y == 2 * n) {
+      put_inner(out_->sides[y == 0 ? 0 : 2]);
+      continue;
+    }
+    put_inner(out_->inner + (y - 1) * inner);
+    for (const std::size_t side : {std::size_t{1}, std::size_t{3}}) {
+      float* const to = out_->sides[side];
+      put(to == nullptr ? to : to + 3 * (y - 1),
+          side == 3 ? normals_.data() : normals_.data() + 3 + inner, 3);
+    }
   }
 }
 
@@ -247,25 +154,9 @@ LimitPoint tensor_limit(const PointsAround& points) {
       unit_normal(means[2] - means[0], weighted(differences[0], differences[1], differences[2]))};
 }
 
-void limit_inner_rows(const GridView& grid, const LimitArrays& out) {
-  LIMN_ASSERT(grid.n >= 2 && grid.n < kLongestRow);
-  const std::size_t width = 3 * (grid.n - 1);
-  if (out.positions != nullptr) {
-    for (std::size_t row = 1; row < grid.n; ++row) {
-      write_positions(grid, row, out.positions + (row - 1) * width);
-    }
-  }
-  if (out.normals == nullptr) {
-    return;
-  }
-  constexpr std::size_t kSmallGrid = 4;
-  if (grid.n > kSmallGrid) {
-    GridNormals(grid).write(out.normals);
-    return;
-  }
-  for (std::size_t row = 1; row < grid.n; ++row) {
-    write_precisely(grid, row, out.normals + (row - 1) * width);
-  }
+void limit_normals(const GridView& grid, const NormalArrays& out) {
+  LIMN_ASSERT(grid.n + 3 <= kLongestLimitRow);
+  GridNormals(grid, out).write();
 }
 
 }  // namespace limn

@@ -15,17 +15,16 @@ using PointsAround = std::array<Point, 9>;
 /// The limit of the vertex in the middle.
 [[nodiscard]] LimitPoint tensor_limit(const PointsAround& points);
 
-/// Where limits go, x after y after z, row by row; either may be null.
-struct LimitArrays {
-  float* positions = nullptr;
-  float* normals = nullptr;
+/// Where the limit normals of a grid's next level go, 3 floats each.
+struct NormalArrays {
+  float* inner = nullptr;         ///< Of the vertices that refine_inner_rows writes.
+  std::array<float*, 4> sides{};  ///< Of the 2 n - 1 on side i (0 is the first row, 1 the last
+                                  ///< column), in the direction of growing columns or rows. May be
+                                  ///< null.
 };
 
-/// Vertices of the longest row of a grid.
-inline constexpr std::size_t kLongestRow = 65;
-
-/// The limits of the vertices 1..n - 1 of the rows 1..n - 1. The points of the ring do not matter.
 /// Normals are right to a hundredth of a degree or to what the rounding of points leaves of them.
-void limit_inner_rows(const GridView& grid, const LimitArrays& out);
+/// n + 3 <= kLongestLimitRow (tensor_kernels.h).
+void limit_normals(const GridView& grid, const NormalArrays& out);
 
 }  // namespace limn
