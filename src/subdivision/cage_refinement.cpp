@@ -15,7 +15,12 @@ void CageRefinement::begin(const Cage& cage, std::span<const glm::dvec3> points,
 }
 
 RefinedCounts CageRefinement::number(Sweep& sweep) {
-  greatest_of_all_ = labels_.empty() ? std::uint8_t{0} : *std::ranges::max_element(labels_);
+  greatest_of_all_ = 0;
+  is_any_resting_ = false;
+  for (const std::uint8_t label : labels_) {
+    greatest_of_all_ = std::max(greatest_of_all_, label);
+    is_any_resting_ |= label == 0;
+  }
   return numbering_.build(sweep, cage_, labels_);
 }
 
@@ -24,7 +29,9 @@ void CageRefinement::run_rings(Sweep& sweep, bool with_limits) {
 }
 
 void CageRefinement::place_resting(Sweep& sweep, const RefinedArrays& arrays) {
-  place_resting_vertices(sweep, cage_, labels_, numbering_.greatest(), rings_, arrays, owners_);
+  if (is_any_resting_) {
+    place_resting_vertices(sweep, plan(), arrays, resting_owners_);
+  }
 }
 
 }  // namespace limn

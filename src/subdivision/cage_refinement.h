@@ -17,7 +17,7 @@ namespace limn {
 ///
 ///   begin(cage, points, origin), fill labels(), counts = number(sweep), run_rings(sweep, false);
 ///   make room for `counts`, place_resting(sweep, arrays);
-///   refine_face(plan(), f, arrays) for every face, from any thread.
+///   refine_face(plan(), f, patch, arrays) for every face, from any thread.
 class CageRefinement {
  public:
   /// `cage` without its points, which are copied relative to `origin`.
@@ -33,7 +33,8 @@ class CageRefinement {
   void place_resting(Sweep& sweep, const RefinedArrays& arrays);
 
   [[nodiscard]] RefinementPlan plan() const noexcept {
-    return {cage_, labels_, numbering_.greatest(), greatest_of_all_, &numbering_, &rings_, owners_};
+    return {cage_,       labels_, numbering_.greatest(), greatest_of_all_, &LabelCounts::table(),
+            &numbering_, &rings_, resting_owners_};
   }
 
  private:
@@ -41,7 +42,8 @@ class CageRefinement {
   LargeArray<Point> points_;
   LargeArray<std::uint8_t> labels_;
   std::uint8_t greatest_of_all_ = 0;
-  LargeArray<std::uint32_t> owners_;
+  bool is_any_resting_ = false;  ///< Some vertex has label 0.
+  LargeArray<std::uint32_t> resting_owners_;
   Numbering numbering_;
   RingTables rings_;
 };

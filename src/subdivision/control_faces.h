@@ -19,6 +19,7 @@ struct RefinementPlan {
   std::span<const std::uint8_t> labels;
   std::span<const std::uint8_t> greatest;  ///< Label of each face.
   std::uint8_t greatest_of_all = 0;
+  const LabelCounts* counts = nullptr;
   const Numbering* numbering = nullptr;
   const RingTables* rings = nullptr;
   std::span<const std::uint32_t> resting_owners;  ///< See place_resting_vertices.
@@ -34,18 +35,21 @@ struct RefinementPlan {
   }
 };
 
-/// Writes the vertices of the cage that never move. For each of the others with label 0, `owners`
-/// gets the corner whose face writes it, being one that moves it; for those that never move kNone.
-/// Vertices with positive labels are their first corner's.
-void place_resting_vertices(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
-                            std::span<const std::uint8_t> greatest, const RingTables& rings,
-                            const RefinedArrays& arrays, LargeArray<std::uint32_t>& owners);
+/// Writes the vertices of the cage that never move. Those of label 0 that do move get in `owners`
+/// the corner whose face writes them: the lowest where a face moves them. Vertices with positive
+/// labels are their first corner's.
+void place_resting_vertices(Sweep& sweep, const RefinementPlan& plan, const RefinedArrays& arrays,
+                            LargeArray<std::uint32_t>& owners);
 
-/// Fetches what `refine_face` will read of face f: in a large mesh the vertices around a face are
-/// far apart in memory.
+/// Fetches what `refine_face` will read about face f, if that is refined; and what it will read
+/// around it, to be asked for once the former is there. In a large mesh the vertices around a face
+/// are far apart in memory, and so are refined faces where few are.
 void prefetch_face(const RefinementPlan& plan, std::uint32_t f) noexcept;
+void prefetch_around_face(const RefinementPlan& plan, std::uint32_t f) noexcept;
 
-/// Writes everything that becomes of face f, which is no resting polygon.
-void refine_face(const RefinementPlan& plan, std::uint32_t f, const RefinedArrays& arrays);
+/// Writes everything that becomes of face f, which is no resting polygon. `patch` is room to work
+/// in, to be kept from face to face.
+void refine_face(const RefinementPlan& plan, std::uint32_t f, Patch& patch,
+                 const RefinedArrays& arrays);
 
 }  // namespace limn

@@ -30,8 +30,8 @@ FlatNode flat_node(const RootNode& root, std::uint32_t control_face) {
               std::uint32_t{node.owned_corners} << 20U | std::uint32_t{node.owned_sides} << 24U |
               std::uint32_t{node.lifted_sides} << 28U;
   for (std::size_t i = 0; i < 4; ++i) {
-    flat.place |= bit(i, node.sides[i].step != 1);
-    flat.sides[i] = node.sides[i].first;
+    flat.place |= bit(i, node.sides[i].step() != 1);
+    flat.sides[i] = node.sides[i].first();
   }
   flat.place |= static_cast<std::uint32_t>(node.level) << 4U;
   flat.control_face = control_face;
@@ -48,12 +48,6 @@ bool is_plainly_regular(const Cage& cage, std::uint32_t f) {
          ring[2] != kNone && ring[5] != kNone && ring[8] != kNone && ring[11] != kNone;
 }
 
-/// Kept, so that listing allocates nothing.
-std::vector<RootNode>& roots_of_this_thread() {
-  thread_local std::vector<RootNode> roots;
-  return roots;
-}
-
 bool is_resting(const Node& node) {
   return std::ranges::max(node.labels) == 0;
 }
@@ -66,14 +60,15 @@ FlatFiller::FlatFiller(const RefinementPlan& from, FlatPlan& plan)
 PlanSizes FlatFiller::sizes(std::uint32_t f) const {
   PlanSizes sizes{};
   if (!from_->is_resting_polygon(f)) {
-    std::vector<RootNode>& roots = roots_of_this_thread();
-    outline_roots(*from_, f, roots);
-    for (const RootNode& root : roots) {
-      add_sizes(root, sizes);
+    RootCursor roots(*from_, f, RootDetail::kOutline);
+    while (const RootNode* root = roots.next()) {
+      add_sizes(*root, sizes);
       const bool may_be_special =
-          root.polygon_corner != kNone || !is_plainly_regular(from_->cage, f);
-      if (!is_resting(root.node) && may_be_special) {
-        add_sizes(PatchShape(gather_patch(*from_, f, root), root.node, plan_->has_limits), sizes);
+          root->polygon_corner != kNone || !is_plainly_regular(from_->cage, f);
+      if (!is_resting(root->node) && may_be_special) {
+        Patch patch;
+        gather_patch(*from_, f, *root, patch);
+        add_sizes(PatchShape(patch, root->node, plan_->has_limits), sizes);
       }
     }
   }
@@ -84,10 +79,9 @@ void FlatFiller::fill(std::uint32_t f, PlanSizes& next) const {
   if (from_->is_resting_polygon(f)) {
     fill_polygon(f);
   } else {
-    std::vector<RootNode>& roots = roots_of_this_thread();
-    list_roots(*from_, f, roots);
-    for (const RootNode& root : roots) {
-      fill_root(f, root, next);
+    RootCursor roots(*from_, f);
+    while (const RootNode* root = roots.next()) {
+      fill_root(f, *root, next);
     }
   }
 }
@@ -128,11 +122,14 @@ void FlatFiller::fill_root(std::uint32_t f, const RootNode& root, PlanSizes& nex
     plan_->resting_quads[at[kPlanQuads]] = {
         root.node.quad, f | static_cast<std::uint32_t>(root.node.level) << 28U, root.node.corners};
     if (root.resting_corners != 0) {
-      fill_points(gather_patch(*from_, f, root), root, at[kPlanPoints]);
+      Patch patch;
+      gather_patch(*from_, f, root, patch);
+      fill_points(patch, root, at[kPlanPoints]);
     }
     return;
   }
-  Patch patch = gather_patch(*from_, f, root);
+  Patch patch;
+  gather_patch(*from_, f, root, patch);
   fill_points(patch, root, at[kPlanPoints]);
   const PatchShape shape(patch, root.node, plan_->has_limits);
   add_sizes(shape, next);
@@ -160,12 +157,11 @@ void FlatFiller::fill_root(std::uint32_t f, const RootNode& root, PlanSizes& nex
 
 /// Vertices that rest at level 1.
 void FlatFiller::fill_points(const Patch& patch, const RootNode& root, std::uint64_t at) const {
-  constexpr std::array<GridPlace, 4> kPlaces{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   for (std::size_t i = 0; i < 4; ++i) {
     if (!has(root.resting_corners, i)) {
       continue;
     }
-    const GridPlace& place = kPlaces[i];
+    const GridPlace& place = kRootCorners[i];
     FlatPoint& point = plan_->resting_points[at++];
     point = {root.node.corners[i], 1, to_float(patch.grid[4 * place.y + place.x + 5]),
              glm::vec3(0.0f)};

@@ -26,7 +26,7 @@ constexpr std::uint64_t kMostFaces = 0x3FFFFFF0u;
 /// Faces one thread takes at a time, and how much they may become before progress is reported.
 constexpr std::size_t kFaceGrain = 64;
 /// How far ahead of the face being refined others' points are fetched.
-constexpr std::uint32_t kFacesAhead = 6;
+constexpr std::uint32_t kFacesAhead = 4;
 constexpr std::uint64_t kQuadsBetweenReports = std::uint64_t{1} << 20;
 
 /// The world's origin, unless floats relative to it would be too coarse. The Catmull-Clark points
@@ -217,9 +217,12 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
   const RefinementPlan plan = work.surface.plan();
   const RefinementPlan uv_plan = work.texture.plan();
   sweep.ranges(mesh.face_count(), slab, grain, 1, [&](std::size_t begin, std::size_t end) {
+    Patch patch;
+    Patch uv_patch;
     for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
-      if (f + kFacesAhead < end) {
-        prefetch_face(plan, f + kFacesAhead);
+      if (f + 2 * kFacesAhead < end) {
+        prefetch_face(plan, f + 2 * kFacesAhead);
+        prefetch_around_face(plan, f + kFacesAhead);
       }
       if (plan.is_resting_polygon(f)) {
         write_polygon(plan, f, result);
@@ -227,9 +230,9 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
           write_polygon_uvs(uv_plan, f, result);
         }
       } else {
-        refine_face(plan, f, arrays);
+        refine_face(plan, f, patch, arrays);
         if (has_texture) {
-          refine_face(uv_plan, f, uv_arrays);
+          refine_face(uv_plan, f, uv_patch, uv_arrays);
         }
       }
     }

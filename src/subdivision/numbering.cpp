@@ -12,9 +12,9 @@ namespace {
 enum Kind : std::size_t { kQuads, kVertices, kPolygons, kPolygonSides };
 using Sizes = std::array<std::uint64_t, 4>;
 
-std::uint32_t on_edge(const FaceLabels& labels, std::size_t side) {
+std::uint32_t on_edge(const LabelCounts& table, const FaceLabels& labels, std::size_t side) {
   const std::size_t after = side + 1 == labels.size() ? 0 : side + 1;
-  return LabelCounts::table().edge(labels[side], labels[after]);
+  return table.edge(labels[side], labels[after]);
 }
 
 /// Calls `visit(edge, side)` for the sides whose edges are numbered with this face.
@@ -29,8 +29,7 @@ void for_each_own_edge(const Cage& cage, std::size_t f, const Visit& visit) {
   }
 }
 
-FaceCounts counts_of(const FaceLabels& labels) {
-  const LabelCounts& table = LabelCounts::table();
+FaceCounts counts_of(const LabelCounts& table, const FaceLabels& labels) {
   if (labels.size() != 4) {
     return table.split(labels);
   }
@@ -48,12 +47,12 @@ std::uint8_t greatest_of(const FaceLabels& labels) {
 }
 
 /// Of a face with a positive label.
-Sizes sizes_of(const Cage& cage, std::span<const std::uint8_t> all, std::size_t f) {
-  const FaceLabels labels(cage, all, f);
-  const FaceCounts counts = counts_of(labels);
+Sizes sizes_of(const LabelCounts& table, const Cage& cage, const FaceLabels& labels,
+               std::size_t f) {
+  const FaceCounts counts = counts_of(table, labels);
   Sizes sizes{counts.quads, counts.inside, 0, 0};
   for_each_own_edge(cage, f, [&](std::uint32_t, std::uint32_t side) {
-    sizes[kVertices] += on_edge(labels, side);
+    sizes[kVertices] += on_edge(table, labels, side);
   });
   return sizes;
 }
@@ -62,6 +61,7 @@ Sizes sizes_of(const Cage& cage, std::span<const std::uint8_t> all, std::size_t 
 
 RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
                                std::span<const std::uint8_t> labels) {
+  const LabelCounts& table = LabelCounts::table();
   const std::size_t faces = cage.face_count();
   faces_.resize(faces);
   greatest_.resize(faces);
@@ -75,8 +75,9 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
     return n == 4 ? Sizes{1, 0, 0, 0} : Sizes{0, 0, 1, n};
   };
   const auto sizes = [&](std::size_t f) {
-    greatest_[f] = greatest_of(FaceLabels(cage, labels, f));
-    return greatest_[f] > 0 ? sizes_of(cage, labels, f) : resting(f);
+    const FaceLabels face(cage, labels, f);
+    greatest_[f] = greatest_of(face);
+    return greatest_[f] > 0 ? sizes_of(table, cage, face, f) : resting(f);
   };
   const Sizes ends = sweep.number(faces, start, sizes, [&](std::size_t f, const Sizes& first) {
     if (greatest_[f] == 0) {
@@ -88,12 +89,12 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
       return size;
     }
     const FaceLabels face(cage, labels, f);
-    const FaceCounts counts = counts_of(face);
+    const FaceCounts counts = counts_of(table, face);
     faces_[f] = static_cast<std::uint32_t>(first[kQuads]);
     std::uint64_t vertex = first[kVertices];
     for_each_own_edge(cage, f, [&](std::uint32_t edge, std::uint32_t side) {
       edges_[edge] = static_cast<std::uint32_t>(vertex);
-      vertex += on_edge(face, side);
+      vertex += on_edge(table, face, side);
     });
     insides_[f] = static_cast<std::uint32_t>(vertex);
     return Sizes{counts.quads, vertex + counts.inside - first[kVertices], 0, 0};

@@ -104,10 +104,6 @@ Midpoints midpoints_of(const Node& node) {
   return midpoints;
 }
 
-EdgeRun reversed(const EdgeRun& run, std::uint32_t count) {
-  return {run.at(count - 1), 0u - run.step};
-}
-
 void PatchWriter::put(std::uint32_t vertex, const Around& next, const GridPlace& place) const {
   const PatchGrid grid = next.grid();
   arrays_->put(vertex, next.at(place), grid.level);
@@ -183,7 +179,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
     child.sides[i] = midpoints.first_halves[i];
     child.sides[after] = inner[i];
     child.sides[opposite] =
-        reversed(inner[before], counts.edge(midpoints.labels[before], centre_label));
+        inner[before].reversed(counts.edge(midpoints.labels[before], centre_label));
     child.sides[before] = midpoints.second_halves[before];
     child.inside = next_vertex;
     child.quad = next_quad;
@@ -323,7 +319,7 @@ NumberRow number_row(const Node& node, std::uint32_t n, std::uint32_t row) {
     return {corners[0], sides[0], corners[1]};
   }
   if (row == n) {
-    return {corners[3], reversed(sides[2], n - 1), corners[2]};
+    return {corners[3], sides[2].reversed(n - 1), corners[2]};
   }
   return {sides[3].at(n - 1 - row), {node.inside + (row - 1) * (n - 1), 1}, sides[1].at(row - 1)};
 }
@@ -336,9 +332,9 @@ void write_quad_row(const NumberRow& below, const NumberRow& above, std::uint32_
   const auto put = [&out](const Quad& quad) { std::memcpy(out++, &quad, sizeof quad); };
   const EdgeRun b = below.inner;
   const EdgeRun a = above.inner;
-  put(Quad{below.first, b.first, a.first, above.first});
-  Quad inner{b.first, b.first + b.step, a.first + a.step, a.first};
-  const Quad step{b.step, b.step, a.step, a.step};
+  put(Quad{below.first, b.at(0), a.at(0), above.first});
+  Quad inner{b.at(0), b.at(1), a.at(1), a.at(0)};
+  const Quad step{b.step(), b.step(), a.step(), a.step()};
   for (std::uint32_t i = 2; i < n; ++i) {
     put(inner);
     inner += step;
@@ -366,7 +362,7 @@ void PatchWriter::write_last(const Node& node, const GridView& grid) const {
   const PatchGrid last = around(node, grid);
   std::array<std::uint32_t, 4> middles;
   for (std::size_t i = 0; i < 4; ++i) {
-    middles[i] = node.sides[i].first;
+    middles[i] = node.sides[i].at(0);
     if (has(node.owned_sides, i)) {
       arrays_->put(middles[i], step_down_middle(*patch_, last, i), node.level + 1);
     }

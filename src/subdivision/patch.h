@@ -49,16 +49,41 @@ struct Patch {
   std::array<PatchSide, 4> sides;
   std::array<PatchCorner, 4> corners;
   bool is_bilinear = false;
+  bool is_plain = true;  ///< No side and no corner has been set since the last `make_plain`.
+
+  /// All sides open and all corners regular, as in most faces: the grid is left alone.
+  void make_plain() noexcept {
+    if (!is_plain) {
+      sides = {};
+      corners = {};
+      is_plain = true;
+    }
+  }
 };
 
-/// Which numbers the vertices inside an edge have: `first`, `first + step`, ..., step being 1 or
-/// -1.
-struct EdgeRun {
-  std::uint32_t first = 0;
-  std::uint32_t step = 1;  ///< Modulo 2^32.
+/// Which numbers the vertices inside an edge have: first, first + step, ..., step being 1 or -1
+/// (modulo 2^32). One word, since a pair that is copied whole right after its halves were written
+/// keeps the processor waiting.
+class EdgeRun {
+ public:
+  EdgeRun() = default;
+  EdgeRun(std::uint32_t first, std::uint32_t step) noexcept
+      : bits_(std::uint64_t{step} << 32 | first) {}
 
-  [[nodiscard]] std::uint32_t at(std::uint32_t i) const noexcept { return first + step * i; }
-  [[nodiscard]] EdgeRun from(std::uint32_t i) const noexcept { return {at(i), step}; }
+  [[nodiscard]] std::uint32_t first() const noexcept { return static_cast<std::uint32_t>(bits_); }
+  [[nodiscard]] std::uint32_t step() const noexcept {
+    return static_cast<std::uint32_t>(bits_ >> 32);
+  }
+  [[nodiscard]] std::uint32_t at(std::uint32_t i) const noexcept { return first() + step() * i; }
+  /// Without its first i.
+  [[nodiscard]] EdgeRun from(std::uint32_t i) const noexcept { return {at(i), step()}; }
+  /// The same `count` from the other end.
+  [[nodiscard]] EdgeRun reversed(std::uint32_t count) const noexcept {
+    return {at(count - 1), 0u - step()};
+  }
+
+ private:
+  std::uint64_t bits_ = std::uint64_t{1} << 32;
 };
 
 /// A face of the level-k mesh inside a patch and the numbers of what becomes of it.

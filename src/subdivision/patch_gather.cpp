@@ -67,6 +67,7 @@ void gather_quad(const Cage& cage, const RingTables& rings, std::uint32_t f, Pat
   const FlatTopology& topology = *cage.topology;
   const std::uint32_t first = cage.first_corner(f);
   patch.is_bilinear = cage.averaging == Averaging::kBilinear;
+  patch.make_plain();
   for (std::uint32_t i = 0; i < 4; ++i) {
     patch.grid[kPlaces[i].corner] = cage.point(topology.corner_vertices[first + i]);
   }
@@ -88,6 +89,7 @@ void gather_quad(const Cage& cage, const RingTables& rings, std::uint32_t f, Pat
   if (is_regular && cage.creases->vertex_sharpness.empty()) {
     return;  // Four corners of valence 4 amid quads: no boundary, nothing sharp.
   }
+  patch.is_plain = false;
   for (std::uint32_t i = 0; i < 4; ++i) {
     patch.sides[i] = side_of(cage, rings, first + i, i);
     patch.corners[i] = corner_of(cage, rings, first + i);
@@ -108,6 +110,7 @@ void gather_polygon_corner(const Cage& cage, const RingTables& rings, std::uint3
   const std::uint32_t before = cage.previous(corner);
   const auto vertex = [&](std::uint32_t c) { return topology.corner_vertices[c]; };
   patch.is_bilinear = cage.averaging == Averaging::kBilinear;
+  patch.make_plain();
   std::array<Point, 4 * kSide>& grid = patch.grid;
   if (patch.is_bilinear) {
     const Point here = cage.point(vertex(corner));
@@ -134,7 +137,7 @@ void gather_polygon_corner(const Cage& cage, const RingTables& rings, std::uint3
   grid[11] = on_side(after);
   grid[13] = moved(before);
   grid[14] = on_side(cage.previous(before));
-  patch.corners = {};
+  patch.is_plain = false;
   patch.corners[0] = corner_of(cage, rings, corner);
   // From level 1 on the ring points beside the vertex are its own.
   if (patch.corners[0].before != kNone) {
