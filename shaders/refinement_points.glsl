@@ -83,8 +83,7 @@ vec3 tensor_product(Grid grid, vec4 along, vec4 across) {
   return point;
 }
 
-vec3 level_point(Vertex vertex) {
-  GridVertex at = in_grid(vertex);
+vec3 level_point(GridVertex at) {
   return tensor_product(at.grid, weights_at(at.depth, at.place.x),
                         weights_at(at.depth, at.place.y));
 }
@@ -154,8 +153,7 @@ mat3 refined(vec3 a, vec3 b, vec3 c) {
 
 // On a side that is still sharp: the vertex is stepped down with the eight points around it until
 // the side is smooth.
-Limit limit_on_sharp_side(Special special, uint side, Vertex vertex) {
-  GridVertex at = in_grid(vertex);
+Limit limit_on_sharp_side(Special special, uint side, Vertex vertex, GridVertex at) {
   bool is_row = side == 0u || side == 2u;
   uint edge = is_row ? vertex.place.x : vertex.place.y;
   uvec2 along = is_row ? uvec2(1, 0) : uvec2(0, 1);
@@ -186,39 +184,48 @@ Limit limit_on_sharp_side(Special special, uint side, Vertex vertex) {
                is_row ? unit_normal(tangent, other) : unit_normal(other, tangent));
 }
 
-Limit limit_of(Vertex vertex) {
+// `at` is the vertex in its grid.
+Limit limit_of(Vertex vertex, GridVertex at) {
+#ifndef INSIDE_NODES
   if (vertex.special != kNone) {
     Special special = special_at(vertex.special);
     uint last = 1u << vertex.depth;
     bvec4 is_on = bvec4(vertex.place.y == 0u, vertex.place.x == last, vertex.place.y == last,
                         vertex.place.x == 0u);
+    uint corner = kNone;
+    uint side = kNone;
     for (uint i = 0; i < 4; ++i) {
       if (is_on[i] && is_on[(i + 3) & 3u] && has(special.rings, i)) {
-        return limit_of_ring(special, i);
+        corner = i;
+      }
+      if (is_on[i] && has(special.sharp, i) && vertex.depth < sharp_levels_of(special, i)) {
+        side = i;
       }
     }
-    for (uint i = 0; i < 4; ++i) {
-      if (is_on[i] && has(special.sharp, i) && vertex.depth < sharp_levels_of(special, i)) {
-        return limit_on_sharp_side(special, i, vertex);
-      }
+    if (corner != kNone) {
+      return limit_of_ring(special, corner);
+    }
+    if (side != kNone) {
+      return limit_on_sharp_side(special, side, vertex, at);
     }
   }
-  return limit_in_grid(in_grid(vertex));
+#endif
+  return limit_in_grid(at);
 }
-
 #endif
 
 void put_point(uint number, uint level, Vertex vertex) {
+  GridVertex at = in_grid(vertex);
 #ifdef WITH_LIMITS
-  Limit limit = limit_of(vertex);
-  vec3 point = (options & kWithLimitPoints) != 0u ? limit.point : level_point(vertex);
+  Limit limit = limit_of(vertex, at);
+  vec3 point = (options & kWithLimitPoints) != 0u ? limit.point : level_point(at);
   if ((options & kWithNormals) != 0u) {
     surface_normals[3 * number] = limit.normal.x;
     surface_normals[3 * number + 1] = limit.normal.y;
     surface_normals[3 * number + 2] = limit.normal.z;
   }
 #else
-  vec3 point = level_point(vertex);
+  vec3 point = level_point(at);
 #endif
   point += grid_point(Grid(kRootPoints * vertex.root + 16u, 0u), 0u, 0u);
   surface_positions[3 * number] = point.x;

@@ -104,18 +104,21 @@ vec3 point_of(Piece piece, uvec2 at) {
     return ring_point(ring);
   }
   vec3 point = smooth_point(piece, at);
+  uint sharp = kNone;
   for (uint side = 0; side < 4; ++side) {
     if (piece.is_on[side] && has(piece.special.sharp, side) &&
         level < sharp_levels_of(piece.special, side) && is_on_line(side, at)) {
-      bool is_row = side == 0u || side == 2u;
-      uint i = is_row ? at.x : at.y;
-      uint edge = is_row ? piece.place.x : piece.place.y;
-      float share =
-          shares[share_index(piece.special, side, level, (i & 1u) == 1u, edge + (i >> 1))];
-      point = mix(point, curve_point(piece, side, i), share);
+      sharp = side;
     }
   }
-  return point;
+  if (sharp == kNone) {
+    return point;
+  }
+  bool is_row = sharp == 0u || sharp == 2u;
+  uint i = is_row ? at.x : at.y;
+  uint edge = is_row ? piece.place.x : piece.place.y;
+  uint share = share_index(piece.special, sharp, level, (i & 1u) == 1u, edge + (i >> 1));
+  return mix(point, curve_point(piece, sharp, i), shares[share]);
 }
 
 // Where a point is mirrored from, along one axis: twice the first, less the second.

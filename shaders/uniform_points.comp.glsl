@@ -1,6 +1,8 @@
 #version 450
 // The vertices inside uniform nodes of one label, one invocation each: row by row.
 
+// These are never on a side of their root.
+#define INSIDE_NODES
 #include "refinement.glsl"
 #include "refinement_pieces.glsl"
 #include "refinement_points.glsl"

@@ -1,5 +1,6 @@
 // What is refined on the GPU is drawn and picked like what the CPU refined and uploaded.
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -26,18 +27,23 @@ constexpr FramebufferSize kPixels{320, 240};
 /// A painted mesh refined by both, on one kind of context.
 class GpuSurface : public testing::TestWithParam<HeadlessKind> {
  protected:
-  void SetUp() override { context_ = create_headless_context(GetParam()); }
+  void SetUp() override {
+    context_ = create_headless_context(GetParam());
+    renderer_ = std::make_unique<MeshRenderer>();
+    refiner_ = std::make_unique<GpuRefiner>();
+  }
   void TearDown() override {
+    renderer_.reset();
+    paint_.reset();
     refiner_.reset();
     by_cpu_.reset();
     by_gpu_.reset();
     context_.reset();
   }
 
-  void refine_both(const MeshPointer& mesh, const SubdivisionSettings& settings) {
+  void refine_both(const MeshPointer& mesh, const std::vector<std::uint8_t>& depths,
+                   const SubdivisionSettings& settings = {}) {
     mesh_ = mesh;
-    test::Random random(11);
-    const std::vector<std::uint8_t> depths = test::random_depths(*mesh, 0.3, 3, random);
     IgnoreProgress progress;
     const auto legal = legal_labels(*mesh, depths, settings, progress);
     ASSERT_TRUE(legal);
@@ -45,10 +51,10 @@ class GpuSurface : public testing::TestWithParam<HeadlessKind> {
     limits.normals = true;
     const auto refined = refine(*mesh, legal->labels, settings, limits, progress);
     ASSERT_TRUE(refined);
+    polygons_ = refined->polygon_count();
     by_cpu_ = std::make_unique<SurfaceBuffers>();
     ASSERT_TRUE(
         by_cpu_->upload(make_surface(*refined, mesh->bounds().centre(), mesh->face_count()), 1));
-    refiner_ = std::make_unique<GpuRefiner>();
     by_gpu_ = std::make_unique<SurfaceBuffers>();
     ASSERT_TRUE(refiner_->refine({*mesh, legal->labels, settings, limits, 7}, progress, *by_gpu_));
     EXPECT_TRUE(by_gpu_->has(7));
@@ -62,8 +68,7 @@ class GpuSurface : public testing::TestWithParam<HeadlessKind> {
     Scene scene;
     scene.surface = &surface;
     scene.paint = &*paint_;
-    MeshRenderer renderer;
-    const Result<Image> picture = draw_picture(renderer, camera_, scene, settings);
+    const Result<Image> picture = draw_picture(*renderer_, camera_, scene, settings);
     EXPECT_TRUE(picture);
     return picture.value_or(Image());
   }
@@ -114,29 +119,57 @@ class GpuSurface : public testing::TestWithParam<HeadlessKind> {
   }
 
   MeshPointer mesh_;
+  std::size_t polygons_ = 0;  ///< Faces of the refined mesh that are no quads.
   std::unique_ptr<GlContext> context_;
   std::unique_ptr<SurfaceBuffers> by_cpu_;
   std::unique_ptr<SurfaceBuffers> by_gpu_;
   std::unique_ptr<GpuRefiner> refiner_;
+  std::unique_ptr<MeshRenderer> renderer_;
   std::optional<FacePaint> paint_;
   Camera camera_;
 };
 
+/// A bent grid with four triangles and two hexagons, apart from its first face.
+PolygonSoup mixed_soup() {
+  const PolygonSoup grid = test::grid_soup(10, 8);
+  PolygonSoup soup;
+  soup.positions = grid.positions;
+  const auto corners = [](std::uint32_t column, std::uint32_t row) {
+    const std::uint32_t v = row * 11 + column;
+    return std::array<std::uint32_t, 4>{v, v + 1, v + 12, v + 11};
+  };
+  for (std::uint32_t row = 0; row < 8; ++row) {
+    for (std::uint32_t column = 0; column < 10; ++column) {
+      const auto [a, b, c, d] = corners(column, row);
+      const bool is_pair = row == 5 || row == 7;
+      if (is_pair && column == 6) {
+        // Joined with the next.
+        soup.add_face(std::vector<std::uint32_t>{a, b, b + 1, c + 1, c, d});
+      } else if (row == 3 && (column == 6 || column == 8)) {
+        soup.add_face(std::vector<std::uint32_t>{a, b, c});
+        soup.add_face(std::vector<std::uint32_t>{a, c, d});
+      } else if (!(is_pair && column == 7)) {
+        soup.add_face(std::vector<std::uint32_t>{a, b, c, d});
+      }
+    }
+  }
+  return soup;
+}
+
 TEST_P(GpuSurface, LooksAndIsPickedTheSame) {
   const Result<ImportedMesh> creature = load_bundled_mesh("creature");
   ASSERT_TRUE(creature);
-  refine_both(creature->mesh, {});
+  test::Random random(11);
+  refine_both(creature->mesh, test::random_depths(*creature->mesh, 0.3, 3, random));
   expect_same_pictures();
   expect_same_picks();
-}
 
-TEST_P(GpuSurface, PolygonsThatStayStandWhereTheyStood) {
-  // Triangles come before the quads, pentagons after them.
-  test::Random random(5);
-  const MeshPointer mesh =
-      test::control_mesh(test::with_mixed_faces(test::torus_soup(14, 9), random));
-  refine_both(mesh, {.non_quads = NonQuadRule::kWherePainted});
-  ASSERT_FALSE(mesh->is_all_quads());
+  // Polygons that stay: triangles come before the quads, hexagons after them.
+  const MeshPointer mixed = test::control_mesh(mixed_soup());
+  std::vector<std::uint8_t> depths(mixed->face_count(), 0);
+  depths.front() = 3;
+  refine_both(mixed, depths, {.non_quads = NonQuadRule::kWherePainted});
+  EXPECT_EQ(polygons_, 6U);
   expect_same_pictures();
   expect_same_picks();
 }

@@ -81,9 +81,10 @@ Result<void> require_room(const FlatPlan& plan) {
       kPiecePoints * std::max<std::uint64_t>(4 * plan.specials.size(), plan.sharp_sides.size()
                                                                            << plan.greatest_label);
   for (std::size_t label = 0; label < kNodeKinds; ++label) {
+    // As many invocations as it has quads, or vertices around.
+    const std::uint64_t each = std::max(std::uint64_t{1} << 2 * label, std::uint64_t{4} << label);
     most_nodes = std::max(most_nodes, label == 0 ? 0 : plan.node_counts[label]);
-    most_items =
-        std::max(most_items, plan.node_counts[label] << 2 * std::max<std::size_t>(label, 1));
+    most_items = std::max(most_items, plan.node_counts[label] * each);
   }
   if (Result<void> room = require_items(most_items); !room) {
     return room;
