@@ -104,7 +104,7 @@ Result<Refinement> RefinementSource::derive(const ControlMesh& control, const Ve
     return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
   }
   const Stopwatch checking;
-  derived.cracks = check_cracks(control, *derived.mesh);
+  checker_.check(control, *derived.mesh, derived.cracks);
   derived.check_seconds = checking.seconds();
   return derived;
 }

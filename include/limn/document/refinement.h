@@ -79,6 +79,7 @@ class RefinementSource {
  private:
   struct Spare;
   Refiner refiner_;
+  CrackChecker checker_;
   std::shared_ptr<Spare> spare_;
 };
 
