@@ -121,6 +121,11 @@ SharedMesh asteroid(int splits) {
   return build(soup);
 }
 
+/// Texture coordinates and creases, which not every program refines, are left out for all.
+SharedMesh without_attributes(const ControlMesh& mesh) {
+  return std::make_shared<const ControlMesh>(mesh.with_attributes({}));
+}
+
 SharedMesh make(const std::string& name) {
   if (name == "asteroid_15k") {
     return asteroid(2);
@@ -133,7 +138,7 @@ SharedMesh make(const std::string& name) {
   }
   const Result<ImportedMesh> bundled = load_bundled_mesh(name);
   LIMN_EXPECTS(bundled.has_value());
-  return bundled->mesh;
+  return without_attributes(*bundled->mesh);
 }
 
 /// All meshes made so far, by name.
@@ -155,7 +160,7 @@ const ControlMesh& control_mesh(const std::string& name) {
 Result<std::string> add_control_mesh(const std::filesystem::path& file) {
   return import_mesh(file).map([&](const ImportedMesh& imported) {
     std::string name = file.stem().string();
-    meshes()[name] = imported.mesh;
+    meshes()[name] = without_attributes(*imported.mesh);
     return name;
   });
 }

@@ -101,6 +101,9 @@ const std::vector<Work> kClosed = {{"creature", 6}, {"mixed", 7}, {"cube", 8}};
 /// Those with boundaries, where OpenMesh has other rules.
 const std::vector<Work> kOpen = {{"teapot", 5}, {"torus_open", 6}};
 
+/// What paintings of depth 1 are measured by.
+const Work kShallow = {kLargestMesh, 1};
+
 }  // namespace
 
 void register_uniform(Extent extent, std::span<const Work> more) {
@@ -114,6 +117,7 @@ void register_uniform(Extent extent, std::span<const Work> more) {
       add(work, kOthers, repetitions_of_slow);
     }
   }
+  add(kShallow, kLimn, repetitions);
   add(large_works().front(), kLimnElsewise, repetitions);
   for (const Work& work : more) {
     add(work, kLimn, repetitions);

@@ -42,8 +42,14 @@ PICKING = {
 
 # The mesh that the short tables and the plot are about, and its levels.
 MAIN = ("asteroid_15k", 4)
-# The mesh of the paintings, and the levels it is refined uniformly beside them.
+# The mesh of the paintings, and the most levels it is refined uniformly beside them: as deep as they
+# are painted where that is less.
 PAINTED = ("asteroid_246k", 2)
+
+
+def beside_painting(results, depth, kind):
+    """The uniform case that a painting of that depth is told beside."""
+    return results.get("uniform", PAINTED[0], min(int(depth), PAINTED[1]), kind)
 
 
 def works(results):

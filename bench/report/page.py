@@ -2,7 +2,8 @@
 
 from math import log
 
-from names import BOUNDS, LAYOUTS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, WISHES, works
+from names import BOUNDS, LAYOUTS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, WISHES, \
+    beside_painting, works
 
 
 def page(results):
@@ -171,14 +172,12 @@ counts for no one.
 
 def adaptive(results):
     kinds = ("limn", "limn_retained")
-    reference = [results.get("uniform", *PAINTED, kind) for kind in kinds]
-    if not all(reference):
-        return ""
     rows = []
     for case in results.group("adaptive"):
         layout, percent, depth, kind = case.path[1:]
         both = [results.get("adaptive", layout, percent, depth, kind) for kind in kinds]
-        if kind != kinds[0] or not all(both):
+        reference = [beside_painting(results, depth, kind) for kind in kinds]
+        if kind != kinds[0] or not all(both + reference):
             continue
         peak = results.get("memory", layout, percent, depth, kind)
         costs = [[milliseconds(case), f"{case.nanoseconds_per_face:.1f}",
@@ -189,13 +188,16 @@ def adaptive(results):
                      f"{peak.peak_per_face:.0f}" if peak else ""])
     if not rows:
         return ""
+    uniforms = [beside_painting(results, levels, kinds[1]) for levels in (1, PAINTED[1])]
+    uniform_ns = [f"{case.nanoseconds_per_face:.1f}" if case else "-" for case in uniforms]
     costs = ["ns a face", "uniform = 1"]
     head = ["painted", "depth", "M faces", "fresh: ms", *costs, "retained: ms", *costs,
             "peak bytes a face"]
     return f"""## Paintings
 
 `{PAINTED[0]}` painted in part, from legal labels to the refined mesh, one thread, into fresh memory and into a retained result. *Uniform = 1* is the time an output face beside that of uniform
-refinement of the same mesh by {PAINTED[1]} levels, which takes {reference[0].nanoseconds_per_face:.1f} and {reference[1].nanoseconds_per_face:.1f} ns a face: 1 says that the cost follows the output. Faces that are not painted are part of it. Memory is
+refinement of the same mesh as deep as it is painted, or by {PAINTED[1]} levels where it is painted deeper: 1 says that the cost follows the output. Faces that are not painted are part of it.
+(Into a retained result one level takes {uniform_ns[0]} ns a face, two levels {uniform_ns[1]}.) Memory is
 measured where the painting is deepest.
 
 {table(head, rows)}"""

@@ -5,7 +5,7 @@ An SVG by hand, in the reader's light or dark colours.
 
 from html import escape
 
-from names import LAYOUTS, MAIN, PAINTED, PROGRAMS
+from names import LAYOUTS, MAIN, PROGRAMS, beside_painting
 
 WIDTH = 960
 MARGIN = 24
@@ -109,14 +109,14 @@ def bars(parts, y, title, rows):
 
 def series(results):
     """(name, [(depth, cost beside uniform)]) of each line."""
-    reference = results.get("uniform", *PAINTED, "limn")
     found = []
     for layout, words in LAYOUTS.items():
         cases = [case for case in results.group("adaptive", layout) if case.path[4] == "limn"]
         for percent in sorted({int(case.path[2]) for case in cases}):
             points = [(int(case.path[3]),
-                       case.nanoseconds_per_face / reference.nanoseconds_per_face)
-                      for case in cases if int(case.path[2]) == percent] if reference else []
+                       case.nanoseconds_per_face / uniform.nanoseconds_per_face)
+                      for case in cases if int(case.path[2]) == percent
+                      and (uniform := beside_painting(results, case.path[3], "limn"))]
             found.append((f"{percent} % {words}", sorted(points)))
     return [(name, points) for name, points in found if points]
 
