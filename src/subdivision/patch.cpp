@@ -34,11 +34,12 @@ PatchGrid around(const Node& node, const GridView& grid) {
 /// One face's next level, ring included, and where its own points stand.
 class Around {
  public:
-  Around(const Patch& patch, const PatchGrid& node) : node_(node) {
+  /// `node` outlives it: a copy of what was just written would be waited for.
+  Around(const Patch& patch, const PatchGrid& node) : node_(&node) {
     step_down(patch, node, points_.data());
   }
 
-  [[nodiscard]] PatchGrid grid() const { return one_level_down(node_, points_.data()); }
+  [[nodiscard]] PatchGrid grid() const { return one_level_down(*node_, points_.data()); }
   [[nodiscard]] const Point& at(const GridPlace& place) const {
     return points_[(place.y + 1) * kAround + place.x + 1];
   }
@@ -50,7 +51,7 @@ class Around {
 
  private:
   std::array<Point, kAround * kAround> points_;
-  PatchGrid node_;
+  const PatchGrid* node_;
 };
 
 constexpr GridPlace kCentre{1, 1};
@@ -146,7 +147,8 @@ void PatchWriter::write(const Node& node, const GridView& grid) const {
 /// Gives each child what it has of the node's patch, and the owned corners that go on moving.
 void PatchWriter::write_split(const Node& node, const GridView& grid) const {
   const LabelCounts& counts = LabelCounts::table();
-  const Around next(*patch_, around(node, grid));
+  const PatchGrid here = around(node, grid);
+  const Around next(*patch_, here);
   const int level = node.level + 1;
   const Midpoints midpoints = midpoints_of(node);
   const std::uint8_t centre_label = face_point_label(node.labels);
@@ -244,7 +246,8 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
 }
 
 void PatchWriter::write_y(const Node& node, const GridView& grid) const {
-  const Around next(*patch_, around(node, grid));
+  const PatchGrid here = around(node, grid);
+  const Around next(*patch_, here);
   const int level = node.level + 1;
   const Midpoints midpoints = midpoints_of(node);
   const auto positive = static_cast<std::size_t>(
