@@ -15,7 +15,7 @@ constexpr std::size_t kGroupSides = 4096;
 /// Tables of more are not worth their memory.
 constexpr std::size_t kMostEdges = 2 * kGroupSides;
 /// One side is kept at a time for so many faces.
-constexpr std::size_t kFacesPerSide = 4;
+constexpr std::size_t kFacesPerSide = 2;
 
 /// The same for both directions.
 std::uint64_t edge_hash(std::uint32_t a, std::uint32_t b) noexcept {
