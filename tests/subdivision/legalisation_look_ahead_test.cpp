@@ -9,6 +9,7 @@
 
 #include "exactness_check.h"
 #include "limn/subdivision/label_subdivision.h"
+#include "support/shape_lists.h"
 #include "support/shapes.h"
 
 namespace limn {
@@ -113,8 +114,7 @@ void expect_promises_for_paintings(const PolygonSoup& soup, int paintings, test:
 
 TEST(LookAhead, KeepsItsPromisesOnRegularMeshes) {
   test::Random random(21);
-  for (const auto& soup : {test::cube_soup(), test::grid_soup(1, 1), test::grid_soup(2, 9),
-                           test::grid_soup(9, 8), test::torus_soup(3, 3), test::torus_soup(8, 8)}) {
+  for (const auto& soup : test::regular_soups()) {
     expect_promises_for_paintings(soup, 60, random);
   }
 }
@@ -130,27 +130,14 @@ TEST(LookAhead, KeepsItsPromisesAroundPoles) {
 TEST(LookAhead, KeepsItsPromisesOnRandomQuadMeshes) {
   test::Random random(23);
   for (int i = 0; i < 20; ++i) {
-    PolygonSoup soup =
-        test::random_quads(i % 2 == 0 ? test::torus_soup(4, 4) : test::grid_soup(5, 3), random);
-    if (i % 3 == 0) {
-      soup = test::with_holes(soup, 8, random);
-    }
-    expect_promises_for_paintings(soup, 12, random);
+    expect_promises_for_paintings(test::random_quad_soup(i, random), 12, random);
   }
 }
 
 TEST(LookAhead, KeepsItsPromisesOnMixedMeshes) {
   test::Random random(24);
   for (int i = 0; i < 30; ++i) {
-    PolygonSoup soup = i % 2 == 0 ? test::torus_soup(6, 5) : test::grid_soup(6, 6);
-    if (i % 4 == 3) {
-      soup = test::random_quads(test::grid_soup(3, 3), random);
-    }
-    soup = test::with_mixed_faces(soup, random);
-    if (i % 3 == 0) {
-      soup = test::with_holes(soup, 5, random);
-    }
-    expect_promises_for_paintings(soup, 12, random);
+    expect_promises_for_paintings(test::random_mixed_soup(i, random), 12, random);
   }
   expect_promises_for_paintings(test::prism_soup(5), 30, random);
   expect_promises_for_paintings(test::polygon_in_ring_soup(7), 30, random);

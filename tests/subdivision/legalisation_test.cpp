@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/subdivision/label_subdivision.h"
+#include "support/shape_lists.h"
 #include "support/shapes.h"
 
 namespace limn {
@@ -135,8 +136,7 @@ void expect_equal_for_paintings(const PolygonSoup& soup, int paintings, test::Ra
 
 TEST(GreedyLegalisation, EqualsBruteForceOnRegularMeshes) {
   test::Random random(11);
-  for (const auto& soup : {test::cube_soup(), test::grid_soup(1, 1), test::grid_soup(2, 9),
-                           test::grid_soup(9, 8), test::torus_soup(3, 3), test::torus_soup(8, 8)}) {
+  for (const auto& soup : test::regular_soups()) {
     expect_equal_for_paintings(soup, 150, random);
   }
   expect_equal_for_paintings(test::torus_soup(16, 16), 30, random);
@@ -154,27 +154,14 @@ TEST(GreedyLegalisation, EqualsBruteForceAroundPoles) {
 TEST(GreedyLegalisation, EqualsBruteForceOnRandomQuadMeshes) {
   test::Random random(13);
   for (int i = 0; i < 40; ++i) {
-    PolygonSoup soup =
-        test::random_quads(i % 2 == 0 ? test::torus_soup(4, 4) : test::grid_soup(5, 3), random);
-    if (i % 3 == 0) {
-      soup = test::with_holes(soup, 8, random);
-    }
-    expect_equal_for_paintings(soup, 30, random);
+    expect_equal_for_paintings(test::random_quad_soup(i, random), 30, random);
   }
 }
 
 TEST(GreedyLegalisation, EqualsBruteForceOnMixedMeshes) {
   test::Random random(14);
   for (int i = 0; i < 40; ++i) {
-    PolygonSoup soup = i % 2 == 0 ? test::torus_soup(6, 5) : test::grid_soup(6, 6);
-    if (i % 4 == 3) {
-      soup = test::random_quads(test::grid_soup(3, 3), random);
-    }
-    soup = test::with_mixed_faces(soup, random);
-    if (i % 3 == 0) {
-      soup = test::with_holes(soup, 5, random);
-    }
-    expect_equal_for_paintings(soup, 30, random);
+    expect_equal_for_paintings(test::random_mixed_soup(i, random), 30, random);
   }
   expect_equal_for_paintings(test::prism_soup(5), 60, random);
   expect_equal_for_paintings(test::polygon_in_ring_soup(7), 60, random);
