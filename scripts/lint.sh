@@ -10,7 +10,7 @@ scripts/install-packages.sh program tests bench developers
 scripts/build.sh dev -DLIMN_BUILD_APP=ON -DLIMN_BUILD_TESTS=ON -DLIMN_BUILD_BENCH=ON limn_glad limn_generated
 
 files=("$@")
-[ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files '*.h' '*.cpp')
+[ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files '*.h' '*.inl' '*.cpp')
 # Headers are checked with the sources that include them; the consumer is a project of its own.
 mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$' | grep -v '^tests/consumer/' || true)
 

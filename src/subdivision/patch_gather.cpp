@@ -76,7 +76,7 @@ void gather_quad(const Cage& cage, const RingTables& rings, std::uint32_t f, Pat
   }
   const std::array<std::uint32_t, 12>& ring = topology.quad_rings[f];
   bool is_regular = cage.creases->edge_sharpness.empty();
-  for (std::uint32_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
     const CornerPlaces& places = kPlaces[i];
     const auto put = [&](std::size_t at, std::uint32_t v) {
       patch.grid[at] = v == kNone ? patch.grid[places.corner] : cage.point(v);
