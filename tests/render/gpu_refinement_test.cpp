@@ -13,6 +13,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "limn/mesh/bundled.h"
+#include "limn/subdivision/labels.h"
 #include "support/attribute_shapes.h"
 #include "support/effort.h"
 #include "support/gl_fixture.h"
@@ -138,6 +139,32 @@ TEST_F(GpuRefinementTest, CubeWithOnePaintedFace) {
     depths[0] = depth;
     expect_same(*cube, depths, {}, kAllLevels);
   }
+}
+
+/// Calls `visit` with all labels 0..greatest of a mesh that are legal.
+template <class Visit>
+void for_each_legal(const ControlMesh& mesh, std::uint8_t greatest, const Visit& visit) {
+  VertexLabels labels(mesh.vertex_count(), 0);
+  while (true) {
+    if (illegal_faces(mesh, labels, LegalisationMethod::kLookAhead).empty()) {
+      visit(labels);
+    }
+    auto digit = labels.begin();
+    while (digit != labels.end() && *digit == greatest) {
+      *digit++ = 0;
+    }
+    if (digit == labels.end()) {
+      return;
+    }
+    ++*digit;
+  }
+}
+
+TEST_F(GpuRefinementTest, EveryLegalLabellingOfOneQuadAndOfTwo) {
+  const MeshPointer one = test::grid(1);
+  for_each_legal(*one, 3, [&](const VertexLabels& labels) { expect_same(*one, labels); });
+  const MeshPointer two = test::control_mesh(test::grid_soup(2, 1));
+  for_each_legal(*two, 2, [&](const VertexLabels& labels) { expect_same(*two, labels); });
 }
 
 TEST_F(GpuRefinementTest, FacesThatAreNoQuads) {
