@@ -2,7 +2,7 @@
 // positions to 1e-6 of the diagonal.
 #include "render/refinement/gpu_refiner.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -224,6 +224,26 @@ TEST_F(GpuRefinementTest, BundledCreature) {
   test::Random random(3);
   expect_same(*creature->mesh, test::random_depths(*creature->mesh, 0.05, 5, random), {},
               kAllLevels);
+}
+
+TEST_F(GpuRefinementTest, TheSameBytesEveryTime) {
+  const MeshPointer prism = test::mixed_prism();
+  VertexLabels labels(prism->vertex_count(), 3);
+  labels.front() = 5;
+  IgnoreProgress progress;
+  RefineLimits limits;
+  limits.normals = true;
+  const GpuRefinementRequest request{*prism, labels, {}, limits};
+  const auto bytes_of_run = [&] {
+    EXPECT_TRUE(refiner->refine(request, progress, *surface));
+    return std::array{
+        surface->positions().read<std::uint32_t>(), surface->normals().read<std::uint32_t>(),
+        surface->corners().read<std::uint32_t>(), surface->faces().read<std::uint32_t>()};
+  };
+  const auto first = bytes_of_run();
+  EXPECT_GT(first[0].size(), 1000U);
+  ASSERT_TRUE(refiner->refine({*test::cube(), VertexLabels(8, 4), {}, {}}, progress, *surface));
+  EXPECT_TRUE(bytes_of_run() == first);
 }
 
 TEST_F(GpuRefinementTest, SmallerAfterLarger) {
