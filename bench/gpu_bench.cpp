@@ -196,11 +196,10 @@ void report_refinements(Stage& stage, const Options& options) {
     const ControlMesh& mesh = control_mesh(name);
     for (int level = 1; level <= kMaxDepth && mesh.face_count() << 2 * level <= most; ++level) {
       const VertexLabels labels(mesh.vertex_count(), static_cast<std::uint8_t>(level));
-      report_refinement(stage, options, fmt::format("{}, {} levels", name, level), mesh, labels,
-                        false);
+      const std::string title = fmt::format("{}, {} level{}", name, level, level == 1 ? "" : "s");
+      report_refinement(stage, options, title, mesh, labels, false);
       if (mesh.face_count() << 2 * (level + 1) > most) {
-        report_refinement(stage, options, fmt::format("{}, {} levels, normals", name, level), mesh,
-                          labels, true);
+        report_refinement(stage, options, title + ", normals", mesh, labels, true);
       }
     }
   }
