@@ -30,6 +30,9 @@ inline constexpr const char* kPeakOption = "--measure-peak=";
 bool print_peak(std::string_view name);
 /// `adaptive/LAYOUT/PERCENT/DEPTH/PROGRAM`: paintings of the largest asteroid.
 void register_adaptive(Extent extent);
+/// `cracks/MESH/LEVELS/PROGRAM` and `cracks/LAYOUT/PERCENT/DEPTH/PROGRAM`: the crack check.
+void register_cracks(Extent extent);
+
 /// `limit/MESH/LEVELS/WISH`: limit positions and normals on top of a refinement.
 void register_limit(Extent extent);
 /// `legalise/ILLEGAL/METHOD`: illegal vertices of painted tori, ten thousand to a million.

@@ -7,7 +7,7 @@ from names import BOUNDS, LAYOUTS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, WI
 
 
 def page(results):
-    sections = [opening, at_a_glance, uniform, memory, adaptive, limit, legalisation,
+    sections = [opening, at_a_glance, uniform, memory, adaptive, limit, cracks, legalisation,
                 machine_bounds, others, picking, agreement, not_measured, method]
     texts = [section(results) for section in sections]
     return "\n\n".join(text for text in texts if text) + "\n"
@@ -241,6 +241,27 @@ Questions about a picture of {faces:,.0f} quads, 1024 by 1024 pixels, answered b
 {table(["", "ms"], rows)}"""
 
 
+def cracks(results):
+    rows = []
+    for case in results.group("cracks"):
+        *what, kind = case.path[1:]
+        if kind != "limn_retained":
+            continue
+        again = results.get("cracks", *what, "limn_retained_2_threads")
+        mesh = (f"`{what[0]}`, {what[1]} levels" if len(what) == 2 else
+                f"`{PAINTED[0]}`, {what[1]} %, {LAYOUTS[what[0]]}, {what[2]} deep")
+        rows.append([mesh, millions(case.counters["faces"]), milliseconds(case),
+                     f"{case.faces_per_second / 1e6:.0f}",
+                     f"{again.faces_per_second / 1e6:.0f}" if again else ""])
+    if not rows:
+        return ""
+    return f"""## The crack check
+
+Every edge of a refined mesh is held against its neighbours, with nothing taken for granted of how the mesh was made.
+
+{table(["mesh", "M faces", "ms", "M faces/s", "2 threads"], rows)}"""
+
+
 def number(value):
     if value is None:
         return ""
@@ -297,7 +318,8 @@ Tori of quads of which 5 % are painted at random, one thread. Time grows with th
 
 def others(results):
     """Groups that have no section of their own: every counter of every case."""
-    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement", "legalise", "limit"}
+    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement", "legalise", "limit",
+             "cracks"}
     sections = []
     for group in sorted({case.path[0] for case in results.cases.values()} - known):
         cases = results.group(group)

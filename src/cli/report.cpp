@@ -122,6 +122,17 @@ std::string texture_text(const MeshStatistics& counts) {
                      amount_of(counts.uv_seams, "seam edge", "seam edges"));
 }
 
+std::string verdict_of(const CrackCheck& cracks) {
+  if (cracks.is_watertight()) {
+    return "no cracks";
+  }
+  return fmt::format(
+      "{} crack edges, {} non-manifold edges, {} control faces without a face, {} vertices without "
+      "one",
+      cracks.boundary_edges - cracks.control_boundary_edges, cracks.nonmanifold_edges,
+      cracks.missing_control_faces, cracks.unused_vertices);
+}
+
 }  // namespace
 
 Json control_report(const Document& document) {
@@ -196,6 +207,8 @@ Json refinement_report(const Document& document, const Derived& derived) {
     report["boundary_edges"] = cracks.boundary_edges;
     report["crack_edges"] = cracks.boundary_edges - cracks.control_boundary_edges;
     report["nonmanifold_edges"] = cracks.nonmanifold_edges;
+    report["missing_control_faces"] = cracks.missing_control_faces;
+    report["unused_vertices"] = cracks.unused_vertices;
     report["seconds"]["refine"] = refinement.refine_seconds;
     report["seconds"]["check"] = refinement.check_seconds;
   }
@@ -246,12 +259,7 @@ std::string refinement_text(const Document& document, const Derived& derived) {
                                          saving_percent(counts)));
   if (derived.refinement) {
     const CrackCheck& cracks = derived.refinement->cracks;
-    table.row("crack check",
-              cracks.is_watertight()
-                  ? "no cracks"
-                  : fmt::format("{} crack edges, {} non-manifold edges",
-                                cracks.boundary_edges - cracks.control_boundary_edges,
-                                cracks.nonmanifold_edges));
+    table.row("crack check", verdict_of(cracks));
     table.row("seconds",
               fmt::format("{:.3f} labels, {:.3f} refine, {:.3f} check", derived.labels.seconds,
                           derived.refinement->refine_seconds, derived.refinement->check_seconds));

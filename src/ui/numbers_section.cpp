@@ -42,6 +42,18 @@ void control_rows(PanelContext& context) {
                       "Vertices - edges + faces: 2 for a surface like a ball, 0 like a ring."});
 }
 
+/// `cracks` is null where it is not known yet.
+std::string crack_text(const CrackCheck* cracks) {
+  if (cracks == nullptr) {
+    return kNothing;
+  }
+  if (cracks->is_watertight()) {
+    return "none";
+  }
+  return cracks->crack_faces.empty() ? "pieces missing"
+                                     : counted(cracks->crack_faces.size(), "face");
+}
+
 void refined_rows(PanelContext& context) {
   const std::optional<RefinementResult>& result = context.model.refinement.result;
   const auto row = [&](std::string_view label, std::string_view meaning, auto&& value) {
@@ -62,10 +74,7 @@ void refined_rows(PanelContext& context) {
 
   const CrackCheck* cracks = result ? result->cracks : nullptr;
   const bool is_cracked = cracks != nullptr && !cracks->is_watertight();
-  const std::string verdict =
-      cracks == nullptr ? kNothing
-                        : (is_cracked ? counted(cracks->crack_faces.size(), "face") : "none");
-  value_row(context, {"Cracks", verdict,
+  value_row(context, {"Cracks", crack_text(cracks),
                       "Faces beside a hole or a T-junction that the control mesh does not have. "
                       "Checked edge by edge after every refinement.",
                       is_cracked});
