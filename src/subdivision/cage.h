@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "limn/mesh/control_mesh.h"
@@ -22,8 +23,9 @@ enum class Averaging {
 /// boundaries. Faces and corners are the control mesh's in both.
 struct Cage {
   const FlatTopology* topology = nullptr;
-  std::span<const Point> points;     ///< One per vertex of the topology.
-  const Creases* creases = nullptr;  ///< For its edges and vertices.
+  std::span<const glm::dvec3> positions;  ///< One per vertex of the topology.
+  glm::dvec3 origin{0.0};                 ///< Points are relative to it.
+  const Creases* creases = nullptr;       ///< For its edges and vertices.
   Averaging averaging = Averaging::kSmooth;
   CornerRule corners = CornerRule::kSharp;
   bool is_all_quads = false;
@@ -31,8 +33,22 @@ struct Cage {
   [[nodiscard]] std::size_t face_count() const noexcept {
     return topology->face_offsets.size() - 1;
   }
-  [[nodiscard]] std::size_t vertex_count() const noexcept { return points.size(); }
-  [[nodiscard]] const Point& point(std::size_t v) const noexcept { return points[v]; }
+  [[nodiscard]] std::size_t vertex_count() const noexcept { return positions.size(); }
+  /// By halves, of which a register holds one on any processor: put together as a Point they would
+  /// go through memory and be waited for.
+  void load_point(std::size_t v, Point& to) const noexcept {
+    using Half [[gnu::vector_size(16)]] = double;
+    const glm::dvec3& from = positions[v];
+    const Half low = Half{from.x, from.y} - Half{origin.x, origin.y};
+    const Half high = Half{from.z, 0.0} - Half{origin.z, 0.0};
+    std::memcpy(&to, &low, sizeof low);
+    std::memcpy(reinterpret_cast<std::byte*>(&to) + sizeof low, &high, sizeof high);
+  }
+  [[nodiscard]] Point point(std::size_t v) const noexcept {
+    Point point;
+    load_point(v, point);
+    return point;
+  }
   [[nodiscard]] float edge_sharpness(std::size_t e) const noexcept {
     return creases->edge_sharpness.empty() ? 0.0f : creases->edge_sharpness[e];
   }

@@ -7,10 +7,8 @@ namespace limn {
 void CageRefinement::begin(const Cage& cage, std::span<const glm::dvec3> points,
                            const glm::dvec3& origin) {
   cage_ = cage;
-  points_.resize(points.size());
-  std::ranges::transform(points, points_.begin(),
-                         [&origin](const glm::dvec3& p) { return to_point(p - origin); });
-  cage_.points = points_;
+  cage_.positions = points;
+  cage_.origin = origin;
   labels_.resize(points.size());
 }
 

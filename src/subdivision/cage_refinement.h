@@ -20,7 +20,7 @@ namespace limn {
 ///   refine_face(plan(), f, patch, arrays) for every face, from any thread.
 class CageRefinement {
  public:
-  /// `cage` without its points, which are copied relative to `origin`.
+  /// `cage` without its points, which are taken relative to `origin`.
   void begin(const Cage& cage, std::span<const glm::dvec3> points, const glm::dvec3& origin);
   /// One per vertex, to be filled after `begin`.
   [[nodiscard]] std::span<std::uint8_t> labels() noexcept { return labels_; }
@@ -39,7 +39,6 @@ class CageRefinement {
 
  private:
   Cage cage_;
-  LargeArray<Point> points_;
   LargeArray<std::uint8_t> labels_;
   std::uint8_t greatest_of_all_ = 0;
   bool is_any_resting_ = false;  ///< Some vertex has label 0.

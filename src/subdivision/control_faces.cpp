@@ -123,11 +123,11 @@ void prefetch_around_face(const RefinementPlan& plan, std::uint32_t f) noexcept 
   const std::uint32_t first = plan.cage.first_corner(f);
   const std::uint32_t n = plan.cage.side_count(f);
   for (std::uint32_t corner = first; corner < first + n; ++corner) {
-    __builtin_prefetch(&plan.cage.points[topology.corner_vertices[corner]]);
+    __builtin_prefetch(&plan.cage.positions[topology.corner_vertices[corner]]);
     plan.numbering->prefetch_edge(topology.corner_edges[corner]);
   }
   for (const std::uint32_t v : topology.quad_rings[f]) {
-    __builtin_prefetch(plan.cage.points.data() + (v == kNone ? 0 : v));
+    __builtin_prefetch(plan.cage.positions.data() + (v == kNone ? 0 : v));
   }
 }
 

@@ -69,7 +69,7 @@ void gather_quad(const Cage& cage, const RingTables& rings, std::uint32_t f, Pat
   patch.is_bilinear = cage.averaging == Averaging::kBilinear;
   patch.make_plain();
   for (std::uint32_t i = 0; i < 4; ++i) {
-    patch.grid[kPlaces[i].corner] = cage.point(topology.corner_vertices[first + i]);
+    cage.load_point(topology.corner_vertices[first + i], patch.grid[kPlaces[i].corner]);
   }
   if (patch.is_bilinear) {
     return;
@@ -79,7 +79,11 @@ void gather_quad(const Cage& cage, const RingTables& rings, std::uint32_t f, Pat
   for (std::size_t i = 0; i < 4; ++i) {
     const CornerPlaces& places = kPlaces[i];
     const auto put = [&](std::size_t at, std::uint32_t v) {
-      patch.grid[at] = v == kNone ? patch.grid[places.corner] : cage.point(v);
+      if (v == kNone) {
+        patch.grid[at] = patch.grid[places.corner];
+      } else {
+        cage.load_point(v, patch.grid[at]);
+      }
     };
     put(places.before, ring[3 * i]);
     put(places.after, ring[3 * i + 1]);
