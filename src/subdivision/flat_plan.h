@@ -116,8 +116,8 @@ struct FlatPlan {
   LargeArray<FlatPoint> resting_points;
 
   /// Control faces that are no quads and stay: prefix sums of sides, vertices, control faces.
-  std::vector<std::uint32_t> polygon_offsets{0};
-  std::vector<std::uint32_t> polygon_vertices;
+  LargeArray<std::uint32_t> polygon_offsets{0};
+  LargeArray<std::uint32_t> polygon_vertices;
   std::vector<std::uint32_t> polygon_control_faces;
 
   /// Of the control mesh's vertices: positions (and normals) of those that never move; others are

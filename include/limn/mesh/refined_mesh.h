@@ -54,9 +54,9 @@ struct RefinedMesh {
                                            ///< its position is P_k of uniform Catmull-Clark.
 
   LargeArray<std::array<std::uint32_t, 4>> quads;  ///< Counter-clockwise vertex indices.
-  std::vector<std::uint32_t> polygon_offsets{
+  LargeArray<std::uint32_t> polygon_offsets{
       0};                                       ///< Faces that are no quads: prefix sums of sides,
-  std::vector<std::uint32_t> polygon_vertices;  ///< and their vertices.
+  LargeArray<std::uint32_t> polygon_vertices;  ///< and their vertices.
 
   LargeArray<std::uint32_t> face_control_faces;  ///< For every face the control face it lies in.
   LargeArray<std::uint8_t> face_levels;          ///< For every face the level it was made at.
@@ -69,7 +69,7 @@ struct RefinedMesh {
   /// each corner of the quads and of the other faces the point it has. All empty where it has none.
   LargeArray<glm::vec2> uvs;
   LargeArray<std::array<std::uint32_t, 4>> quad_uvs;
-  std::vector<std::uint32_t> polygon_uvs;
+  LargeArray<std::uint32_t> polygon_uvs;
 
   /// What is still sharp, with the sharpness that remains at the level an edge or vertex was made.
   std::vector<RefinedCrease> creases;
