@@ -8,7 +8,7 @@ namespace limn::generator {
 
 // solids.cpp
 [[nodiscard]] PolygonSoup cube();
-/// The cube with every square cut along a diagonal: 12 triangles.
+/// The cube with every square cut along a diagonal, in no symmetric way: 12 triangles.
 [[nodiscard]] PolygonSoup cube_triangulated();
 [[nodiscard]] PolygonSoup icosahedron();
 /// The rhombicosidodecahedron: 20 triangles, 30 squares and 12 pentagons.

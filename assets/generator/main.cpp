@@ -24,7 +24,7 @@ constexpr Recipe kRecipes[] = {
     {"teapot.obj", "The Utah teapot as quads, sampled from Martin Newell's Bezier patches.",
      utah_teapot},
     {"cube.obj", "A cube of 6 squares.", cube},
-    {"cube_triangulated.obj", "A cube of 12 triangles.", cube_triangulated},
+    {"cube_triangulated.obj", "A cube of 12 triangles, cut unsymmetrically.", cube_triangulated},
     {"icosahedron.obj", "An icosahedron of 20 triangles.", icosahedron},
     {"mixed.obj", "A rhombicosidodecahedron: triangles, squares and pentagons.",
      rhombicosidodecahedron},

@@ -87,9 +87,13 @@ PolygonSoup cube() {
 PolygonSoup cube_triangulated() {
   PolygonSoup soup;
   soup.positions = cube_corners();
-  for (const auto& face : kCubeFaces) {
-    soup.add_face(std::array{face[0], face[1], face[2]});
-    soup.add_face(std::array{face[0], face[2], face[3]});
+  for (std::size_t f = 0; f < kCubeFaces.size(); ++f) {
+    const auto& face = kCubeFaces[f];
+    // From their first corners all squares would be cut around one space diagonal. With one of them
+    // cut the other way, two of the cube's 48 symmetries are left.
+    const std::size_t i = f == 0 ? 1 : 0;
+    soup.add_face(std::array{face[i], face[i + 1], face[i + 2]});
+    soup.add_face(std::array{face[i], face[i + 2], face[(i + 3) % 4]});
   }
   return soup;
 }
