@@ -27,8 +27,14 @@ struct Symmetrised {
 };
 
 /// Makes a triangulated cube-like mesh symmetric before it is upsampled: triangle pairs in one
-/// plane (within `degrees`) that share a diagonal, each triangle in one pair. Errors: kFailed where
-/// a face is no triangle, no pair is found, or kFlipAlternately has no colouring.
+/// plane (within `degrees`) that are the halves of a convex quad, each triangle in one pair, the
+/// longest diagonals beside the quads' sides first. Of the two ways to do kFlipAlternately the one
+/// that flips fewer, in each connected part; a diagonal on a seam of the texture stays.
+///
+/// Numbering, creases and texture follow from `split_edge` and `flip_edge` (editing/edge_edits.h),
+/// edge by edge.
+/// Errors: kFailed where a face is no triangle, no pair is found, kFlipAlternately has no
+/// colouring, or a diagonal cannot be changed.
 [[nodiscard]] Result<Symmetrised> symmetrise(const ControlMesh& mesh, SymmetriseBy by,
                                              double degrees = 1.0);
 
