@@ -1,0 +1,232 @@
+#include "limn/comparison/sphere_fit.h"
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "limn/mesh/bundled.h"
+#include "support/shapes.h"
+
+namespace limn::test {
+namespace {
+
+using Points = std::vector<glm::dvec3>;
+
+glm::dvec3 random_direction(Random& random) {
+  std::normal_distribution<double> normal;
+  const double x = normal(random);
+  const double y = normal(random);
+  const double z = normal(random);
+  return glm::normalize(glm::dvec3(x, y, z));
+}
+
+/// Points on a sphere, moved in and out by up to `noise` radii.
+Points noisy_sphere(std::size_t count, const glm::dvec3& centre, double radius, double noise,
+                    Random& random) {
+  std::uniform_real_distribution<double> shift(-noise, noise);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 direction = random_direction(random);
+    points.push_back(centre + radius * (1.0 + shift(random)) * direction);
+  }
+  return points;
+}
+
+/// What a fit is to make least.
+double squares(const Points& points, const glm::dvec3& centre, double radius) {
+  double sum = 0.0;
+  for (const glm::dvec3& p : points) {
+    const double error = glm::distance(p, centre) - radius;
+    sum += error * error;
+  }
+  return sum;
+}
+
+/// Neither a little elsewhere nor with another radius is any better, and what the fit says of the
+/// points is so.
+void expect_best(const Points& points, const SphereFit& fit, Random& random) {
+  const double best = squares(points, fit.centre, fit.radius);
+  for (const double step : {1e-2, 1e-3, 1e-4}) {
+    for (int i = 0; i < 20; ++i) {
+      const glm::dvec3 centre = fit.centre + step * fit.radius * random_direction(random);
+      const double radius = fit.radius * (1.0 + step * (i % 3 - 1));
+      ASSERT_GT(squares(points, centre, radius), best) << "step " << step;
+    }
+  }
+  double least = 1e300;
+  double greatest = -1e300;
+  for (const glm::dvec3& p : points) {
+    least = std::min(least, glm::distance(p, fit.centre) - fit.radius);
+    greatest = std::max(greatest, glm::distance(p, fit.centre) - fit.radius);
+  }
+  const double digits = 1e-12 * (fit.radius + glm::length(fit.centre));
+  EXPECT_NEAR(fit.least, least, digits);
+  EXPECT_NEAR(fit.greatest, greatest, digits);
+  EXPECT_NEAR(fit.root_mean_square, std::sqrt(best / static_cast<double>(points.size())), digits);
+}
+
+/// The derivatives of the sum of squares by centre and radius, in radii and per point.
+double slope(const Points& points, const SphereFit& fit) {
+  glm::dvec3 by_centre(0.0);
+  double by_radius = 0.0;
+  for (const glm::dvec3& p : points) {
+    const double distance = glm::distance(p, fit.centre);
+    by_centre -= (distance - fit.radius) / distance * (p - fit.centre);
+    by_radius -= distance - fit.radius;
+  }
+  return (glm::length(by_centre) + std::abs(by_radius)) /
+         (fit.radius * static_cast<double>(points.size()));
+}
+
+TEST(SphereFit, FindsAnExactSphere) {
+  Random random(1);
+  for (const double radius : {1e-6, 1.0, 3e4}) {
+    for (const std::size_t count : {4u, 5u, 8u, 200u}) {
+      const glm::dvec3 centre = radius * 3.0 * random_direction(random);
+      const auto fit = fit_sphere(noisy_sphere(count, centre, radius, 0.0, random));
+      ASSERT_TRUE(fit);
+      EXPECT_LT(glm::distance(fit->centre, centre), 1e-11 * radius);
+      EXPECT_NEAR(fit->radius, radius, 1e-11 * radius);
+      EXPECT_NEAR(fit->least, 0.0, 1e-11 * radius);
+      EXPECT_NEAR(fit->greatest, 0.0, 1e-11 * radius);
+      EXPECT_NEAR(fit->root_mean_square, 0.0, 1e-11 * radius);
+    }
+  }
+}
+
+TEST(SphereFit, IsBestForNoisyPoints) {
+  Random random(2);
+  for (int i = 0; i < 60; ++i) {
+    const double noise = std::pow(10.0, -1 - i % 6) * 3.0;
+    const Points points =
+        noisy_sphere(static_cast<std::size_t>(6 + 5 * i), {1, -2, 0.5}, 2.5, noise, random);
+    const auto fit = fit_sphere(points);
+    ASSERT_TRUE(fit);
+    EXPECT_LT(slope(points, *fit), 1e-11) << "noise " << noise;
+    expect_best(points, *fit, random);
+  }
+}
+
+/// The algebraic fit that it starts from is not the geometric one: points nearer one side count
+/// differently.
+TEST(SphereFit, MinimisesDistancesAndNotPowers) {
+  const Points points{{2, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const auto fit = fit_sphere(points);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(slope(points, *fit), 1e-12);
+  // By symmetry both centres lie on the x-axis: found by a search along it.
+  const auto best_x = [](const std::function<double(double)>& cost) {
+    double best = 0.0;
+    for (int i = -100000; i <= 100000; ++i) {
+      best = cost(i * 1e-5) < cost(best) ? i * 1e-5 : best;
+    }
+    return best;
+  };
+  const double geometric = best_x([&](double x) {
+    double mean = 0.0;
+    for (const glm::dvec3& p : points) {
+      mean += glm::distance(p, {x, 0, 0}) / 6.0;
+    }
+    return squares(points, {x, 0, 0}, mean);
+  });
+  const double algebraic = best_x([&](double x) {
+    double mean = 0.0;
+    double sum = 0.0;
+    for (const glm::dvec3& p : points) {
+      const double power = glm::dot(p - glm::dvec3(x, 0, 0), p - glm::dvec3(x, 0, 0));
+      mean += power / 6.0;
+      sum += power * power;
+    }
+    return sum - 6.0 * mean * mean;
+  });
+  EXPECT_NEAR(fit->centre.x, geometric, 2e-5);
+  EXPECT_NEAR(fit->centre.y, 0.0, 1e-12);
+  EXPECT_GT(std::abs(geometric - algebraic), 1e-3);
+}
+
+TEST(SphereFit, MovesAndScalesWithThePoints) {
+  Random random(3);
+  const Points points = noisy_sphere(80, {0, 0, 0}, 1.0, 0.05, random);
+  const auto fit = fit_sphere(points);
+  ASSERT_TRUE(fit);
+  for (const double scale : {1e-5, 1.0, 1e5}) {
+    for (const double far : {0.0, 1e3, 1e7}) {
+      const glm::dvec3 shift = scale * far * glm::dvec3(0.6, -0.64, 0.48);
+      Points moved;
+      for (const glm::dvec3& p : points) {
+        moved.push_back(scale * p + shift);
+      }
+      const auto there = fit_sphere(moved);
+      ASSERT_TRUE(there) << scale << " " << far;
+      // Coordinates so far away have no more digits than these.
+      const double digits = scale * (1e-12 + 1e-15 * far);
+      EXPECT_LT(glm::distance(there->centre, scale * fit->centre + shift), digits);
+      EXPECT_NEAR(there->radius, scale * fit->radius, digits);
+      EXPECT_NEAR(there->least, scale * fit->least, digits);
+      EXPECT_NEAR(there->greatest, scale * fit->greatest, digits);
+      EXPECT_NEAR(there->root_mean_square, scale * fit->root_mean_square, digits);
+    }
+  }
+}
+
+TEST(SphereFit, FindsTheSphereOfASmallCap) {
+  Points points;
+  for (int i = -5; i <= 5; ++i) {
+    for (int j = -5; j <= 5; ++j) {
+      const double x = 0.002 * i;
+      const double y = 0.002 * j;
+      points.emplace_back(x, y, std::sqrt(1.0 - x * x - y * y));
+    }
+  }
+  const auto fit = fit_sphere(points);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->radius, 1.0, 1e-8);
+  EXPECT_LT(glm::length(fit->centre), 1e-8);
+}
+
+TEST(SphereFit, FindsTheCircumsphereOfPlatonicSolids) {
+  const auto cube_fit = fit_sphere(cube()->positions());
+  ASSERT_TRUE(cube_fit);
+  EXPECT_NEAR(cube_fit->radius, std::sqrt(3.0), 1e-14);
+  EXPECT_NEAR(cube_fit->root_mean_square, 0.0, 1e-14);
+  const auto icosahedron = load_bundled_mesh("icosahedron");
+  ASSERT_TRUE(icosahedron);
+  const auto icosahedron_fit = fit_sphere(icosahedron->mesh->positions());
+  ASSERT_TRUE(icosahedron_fit);
+  EXPECT_NEAR(icosahedron_fit->radius, 1.0, 1e-6);  // Six digits in the file.
+}
+
+TEST(SphereFit, IsNothingWherePointsDetermineNone) {
+  EXPECT_FALSE(fit_sphere(Points{}));
+  EXPECT_FALSE(fit_sphere(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_FALSE(fit_sphere(Points(9, {3, 4, 5})));
+  EXPECT_FALSE(fit_sphere(Points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}}));
+  // In a plane that is no coordinate plane, and far out.
+  Random random(4);
+  std::uniform_real_distribution<double> along(-1.0, 1.0);
+  for (const double far : {0.0, 1.0, 1e6}) {
+    Points points;
+    for (int i = 0; i < 50; ++i) {
+      const double u = along(random);
+      const double v = along(random);
+      points.push_back(u * glm::dvec3(1, 2, -0.7) + v * glm::dvec3(-0.3, 1, 1) +
+                       far * glm::dvec3(0.1, 0.7, 0.3));
+    }
+    EXPECT_FALSE(fit_sphere(points)) << far;
+  }
+  // A saddle is nearer to a plane than to any sphere.
+  Points saddle;
+  for (int i = -4; i <= 4; ++i) {
+    for (int j = -4; j <= 4; ++j) {
+      saddle.emplace_back(i, j, 0.02 * (i * i - j * j));
+    }
+  }
+  EXPECT_FALSE(fit_sphere(saddle));
+}
+
+}  // namespace
+}  // namespace limn::test
