@@ -11,6 +11,9 @@ namespace limn::generator {
 /// The cube with every square cut along a diagonal, in no symmetric way: 12 triangles.
 [[nodiscard]] PolygonSoup cube_triangulated();
 [[nodiscard]] PolygonSoup icosahedron();
+/// The octahedron with every triangle cut into four and all vertices on the unit sphere: 32
+/// triangles, valences 4 and 6.
+[[nodiscard]] PolygonSoup sphere();
 /// The rhombicosidodecahedron: 20 triangles, 30 squares and 12 pentagons.
 [[nodiscard]] PolygonSoup rhombicosidodecahedron();
 

@@ -26,6 +26,7 @@ constexpr Recipe kRecipes[] = {
     {"cube.obj", "A cube of 6 squares.", cube},
     {"cube_triangulated.obj", "A cube of 12 triangles, cut unsymmetrically.", cube_triangulated},
     {"icosahedron.obj", "An icosahedron of 20 triangles.", icosahedron},
+    {"sphere.obj", "A sphere of 32 triangles, an octahedron cut finer.", sphere},
     {"mixed.obj", "A rhombicosidodecahedron: triangles, squares and pentagons.",
      rhombicosidodecahedron},
     {"grid.obj", "An open, gently waved sheet of quads.", wavy_grid},

@@ -2,6 +2,7 @@
 // rhombicosidodecahedron is the icosahedron blown apart: every triangle moves out along its normal
 // until the gap that opens along each edge is a square; five triangles leave a pentagon behind at
 // each vertex.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -30,6 +31,18 @@ constexpr std::array<std::array<Index, 3>, 20> kIcosahedronFaces = {{
     {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
     {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
     {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1},
+}};
+
+/// Corners in pairs along x, y and z.
+constexpr std::array<std::array<Index, 3>, 8> kOctahedronFaces = {{
+    {0, 2, 4},
+    {2, 1, 4},
+    {1, 3, 4},
+    {3, 0, 4},
+    {2, 0, 5},
+    {1, 2, 5},
+    {3, 1, 5},
+    {0, 3, 5},
 }};
 
 std::vector<glm::dvec3> cube_corners() {
@@ -103,6 +116,30 @@ PolygonSoup icosahedron() {
   soup.positions = icosahedron_corners();
   for (const auto& face : kIcosahedronFaces) {
     soup.add_face(face);
+  }
+  return soup;
+}
+
+PolygonSoup sphere() {
+  PolygonSoup soup;
+  soup.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::array<std::array<Index, 6>, 6> middles{};  // 0: not there yet.
+  const auto middle = [&](Index a, Index b) {
+    Index& known = middles[std::min(a, b)][std::max(a, b)];
+    if (known == 0) {
+      known = static_cast<Index>(soup.positions.size());
+      soup.positions.push_back(glm::normalize(soup.positions[a] + soup.positions[b]));
+    }
+    return known;
+  };
+  for (const auto& [a, b, c] : kOctahedronFaces) {
+    const Index ab = middle(a, b);
+    const Index bc = middle(b, c);
+    const Index ca = middle(c, a);
+    soup.add_face(std::array{a, ab, ca});
+    soup.add_face(std::array{b, bc, ab});
+    soup.add_face(std::array{c, ca, bc});
+    soup.add_face(std::array{ab, bc, ca});
   }
   return soup;
 }

@@ -29,6 +29,8 @@ constexpr std::array kEntries = {
     Entry{"cube_triangulated",
           "A cube of 12 triangles, cut in no symmetric way, which subdivision shows."},
     Entry{"icosahedron", "An icosahedron of 20 triangles, for comparison with a sphere."},
+    Entry{"sphere",
+          "A coarse sphere of 32 triangles, for courses: subdivided, how round does it get?"},
     Entry{"mixed", "A rhombicosidodecahedron: triangles, squares and pentagons in one mesh."},
     Entry{"grid", "An open, gently waved sheet of quads with corners and a boundary."},
     Entry{"torus_open", "A torus of quads with a window cut into it."},

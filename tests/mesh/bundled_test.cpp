@@ -238,6 +238,7 @@ const std::vector<Promise>& promises() {
       {"cube", {{4, 6}}, 0, 0, 1, 2, 3},
       {"cube_triangulated", {{3, 12}}, 0, 0, 1, 2, 6},
       {"icosahedron", {{3, 20}}, 0, 0, 1, 2, 5},
+      {"sphere", {{3, 32}}, 0, 0, 1, 2, 6},
       {"mixed", {{3, 20}, {4, 30}, {5, 12}}, 0, 0, 1, 2, 4},
       {"grid", {{4, 144}}, 1, 48, 1, 1, 4},
       {"torus_open", {{4, 188}}, 1, 14, 1, -1, 4},
@@ -268,6 +269,18 @@ TEST(Icosahedron, LiesOnTheUnitSphereWithEqualEdges) {
   }
   for (const auto& [a, b] : mesh->topology().edge_vertices) {
     EXPECT_NEAR(glm::distance(mesh->positions()[a], mesh->positions()[b]), 1.0514622, 4e-6);
+  }
+}
+
+TEST(Sphere, LiesOnTheUnitSphereWithValencesFourAndSix) {
+  const auto mesh = mesh_of("sphere");
+  ASSERT_NE(mesh, nullptr);
+  for (const dvec3& p : mesh->positions()) {
+    EXPECT_NEAR(glm::length(p), 1.0, 2e-6);
+  }
+  const auto& offsets = mesh->topology().vertex_offsets;
+  for (std::size_t v = 0; v < mesh->vertex_count(); ++v) {
+    EXPECT_EQ(offsets[v + 1] - offsets[v], v < 6 ? 4U : 6U) << "vertex " << v;
   }
 }
 
