@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -14,6 +13,14 @@
 
 namespace limn {
 
+/// How far to go. Every level is made of the one before.
+struct UniformLimits {
+  int levels = 1;  ///< 0..kMostSchemeLevels.
+  std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
+};
+
+inline constexpr int kMostSchemeLevels = 12;
+
 /// What so many levels of a scheme give, known before any work.
 struct SchemeCounts {
   std::uint64_t vertices = 0;
@@ -22,24 +29,6 @@ struct SchemeCounts {
 
   [[nodiscard]] bool operator==(const SchemeCounts&) const = default;
 };
-
-/// A level that was made.
-struct SchemeLevel {
-  int level = 0;  ///< 1..levels.
-  SchemeCounts counts;
-  double seconds = 0.0;  ///< To make this level, of the one before.
-};
-
-/// How far to go. Every level is made of the one before.
-struct UniformLimits {
-  int levels = 1;  ///< 0..kMostSchemeLevels.
-  std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
-  /// Called as each level is made, on the calling thread; may be empty.
-  std::function<void(const SchemeLevel&)> on_level{};
-};
-
-inline constexpr int kMostSchemeLevels = 12;
-
 /// For 0..levels, exact; a count that no 64 bits hold is the greatest they do. The mesh fits.
 [[nodiscard]] std::vector<SchemeCounts> predict_scheme(const ControlMesh& mesh, Scheme scheme,
                                                        int levels);
