@@ -6,16 +6,14 @@
 #include "limn/subdivision/label_subdivision.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "limn/contract.h"
 #include "subdivision/cage_refinement.h"
 #include "subdivision/invariants.h"
 #include "subdivision/refined_creases.h"
+#include "subdivision/world_origin.h"
 
 namespace limn {
 namespace {
@@ -28,15 +26,6 @@ constexpr std::size_t kFaceGrain = 64;
 /// How far ahead of the face being refined others' points are fetched.
 constexpr std::uint32_t kFacesAhead = 4;
 constexpr std::uint64_t kQuadsBetweenReports = std::uint64_t{1} << 20;
-
-/// The world's origin, unless floats relative to it would be too coarse. The Catmull-Clark points
-/// of a mesh lie within its bounds, so it is enough to look at these.
-glm::dvec3 origin_of(const Bounds& bounds) {
-  constexpr double kCoarsest = 3e-7;  // Of the diagonal; a third of what a vertex may be off.
-  const glm::dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
-  const double rounding = std::ldexp(glm::length(farthest), -24);
-  return rounding > kCoarsest * bounds.diagonal() ? bounds.centre() : glm::dvec3(0.0);
-}
 
 tl::unexpected<Error> over_budget(std::uint64_t faces, std::uint64_t budget) {
   return fail(ErrorKind::kOverBudget,

@@ -10,25 +10,6 @@
 #include "subdivision/sharpness.h"
 
 namespace limn {
-VertexRing::SharpEdges VertexRing::SharpEdges::among(std::span<const float> sharpness) noexcept {
-  SharpEdges sharp;
-  for (std::size_t i = 0; i < sharpness.size(); ++i) {
-    if (is_sharp(sharpness[i])) {
-      sharp.first = sharp.count == 0 ? i : sharp.first;
-      sharp.last = i;
-      ++sharp.count;
-    }
-  }
-  return sharp;
-}
-
-VertexRing::Rule VertexRing::SharpEdges::rule(float vertex_sharpness) const noexcept {
-  if (is_sharp(vertex_sharpness) || count > 2) {
-    return Rule::kCorner;
-  }
-  return count == 2 ? Rule::kCrease : Rule::kSmooth;
-}
-
 void VertexRing::reset(std::size_t faces, bool is_boundary) {
   LIMN_EXPECTS(faces >= (is_boundary ? 1u : 2u));
   const std::size_t edges = faces + (is_boundary ? 1 : 0);
@@ -75,16 +56,16 @@ Point VertexRing::smooth_centre() const noexcept {
   return centre_ * ((n - 2.0) / n) + sum / (n * n);
 }
 
-void VertexRing::add_moved_centre(double weight, Rule rule, const SharpEdges& sharp,
+void VertexRing::add_moved_centre(double weight, VertexRule rule, const SharpEdges& sharp,
                                   Point& sum) const noexcept {
   switch (rule) {
-    case Rule::kCorner:
+    case VertexRule::kCorner:
       sum += weight * centre_;
       return;
-    case Rule::kCrease:
+    case VertexRule::kCrease:
       sum += (0.125 * weight) * (edges_[sharp.first] + 6.0 * centre_ + edges_[sharp.last]);
       return;
-    case Rule::kSmooth:
+    case VertexRule::kSmooth:
       sum += weight * smooth_centre();
       return;
   }
@@ -129,13 +110,13 @@ void VertexRing::wear_off(CreasingMethod method) {
   }
 }
 
-double VertexRing::worn_off_sharpness(float child_vertex_sharpness) const noexcept {
+WornOff VertexRing::worn_off(float child_vertex_sharpness) const noexcept {
   WornOff worn;
   worn.add(vertex_sharpness_, child_vertex_sharpness);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     worn.add(edge_sharpness_[i], child_sharpness_[i]);
   }
-  return worn.mean();
+  return worn;
 }
 
 void VertexRing::step_sharp(CreasingMethod method) {
@@ -145,12 +126,9 @@ void VertexRing::step_sharp(CreasingMethod method) {
 
   const SharpEdges sharp = SharpEdges::among(edge_sharpness_);
   const SharpEdges child_sharp = SharpEdges::among(child_sharpness_);
-  const Rule rule = sharp.rule(vertex_sharpness_);
-  const Rule child_rule = child_sharp.rule(child_vertex_sharpness);
-  double weight = 1.0;
-  if (child_rule != rule && rule != Rule::kSmooth) {
-    weight = worn_off_sharpness(child_vertex_sharpness);
-  }
+  const VertexRule rule = sharp.rule(vertex_sharpness_);
+  const VertexRule child_rule = child_sharp.rule(child_vertex_sharpness);
+  const double weight = weight_of_rule(rule, child_rule, worn_off(child_vertex_sharpness));
   Point moved{};
   add_moved_centre(weight, rule, sharp, moved);
   if (weight < 1.0) {

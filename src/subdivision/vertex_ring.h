@@ -10,6 +10,8 @@
 #include "limn/mesh/creases.h"
 #include "subdivision/limit_point.h"
 #include "subdivision/point.h"
+#include "subdivision/sharpness.h"
+#include "subdivision/vertex_rule.h"
 
 // Internal to this folder.
 namespace limn {
@@ -74,26 +76,13 @@ class VertexRing {
   [[nodiscard]] LimitPoint limit(CreasingMethod method, CornerRule corners) const;
 
  private:
-  enum class Rule { kSmooth, kCrease, kCorner };
-  /// The sharp ones of the edges around: with the vertex's own sharpness they decide its rule.
-  struct SharpEdges {
-    std::size_t count = 0;
-    std::size_t first = 0;
-    std::size_t last = 0;
-
-    [[nodiscard]] static SharpEdges among(std::span<const float> sharpness) noexcept;
-    [[nodiscard]] Rule rule(float vertex_sharpness) const noexcept;
-  };
-
   [[nodiscard]] bool is_smooth() const noexcept;
   [[nodiscard]] bool wears_off() const noexcept;
   void sharpen_boundary(CornerRule corners) noexcept;
   [[nodiscard]] Point smooth_centre() const noexcept;
-  void add_moved_centre(double weight, Rule rule, const SharpEdges& sharp,
+  void add_moved_centre(double weight, VertexRule rule, const SharpEdges& sharp,
                         Point& sum) const noexcept;
-  /// Mean of the sharpness that wears off to 0 in this step, at most 1: the weight of the old rule
-  /// where the vertex changes rules.
-  [[nodiscard]] double worn_off_sharpness(float child_vertex_sharpness) const noexcept;
+  [[nodiscard]] WornOff worn_off(float child_vertex_sharpness) const noexcept;
   void step_smooth();
   void step_sharp(CreasingMethod method);
   void wear_off(CreasingMethod method);

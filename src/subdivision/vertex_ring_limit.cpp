@@ -156,13 +156,13 @@ LimitPoint VertexRing::limit(CreasingMethod method, CornerRule corners) const {
 LimitPoint VertexRing::limit_without_wear() const {
   const SharpEdges sharp = SharpEdges::among(edge_sharpness_);
   switch (sharp.rule(vertex_sharpness_)) {
-    case Rule::kSmooth:
+    case VertexRule::kSmooth:
       return sharp.count == 0 ? LimitPoint{to_vec3(smooth_limit()), smooth_normal()}
                               : dart_limit(sharp.first);
-    case Rule::kCrease:
+    case VertexRule::kCrease:
       return {to_vec3((edges_[sharp.first] + 4.0 * centre_ + edges_[sharp.last]) / 6.0),
               crease_normal(sharp.first, sharp.last)};
-    case Rule::kCorner:
+    case VertexRule::kCorner:
       break;
   }
   if (sharp.count < 2) {

@@ -122,6 +122,18 @@ Sdc::Options options_of(CreasingMethod creasing, CornerRule corners, TextureRule
   return options;
 }
 
+Sdc::SchemeType type_of(ReferenceScheme scheme) {
+  switch (scheme) {
+    case ReferenceScheme::kCatmullClark:
+      break;
+    case ReferenceScheme::kLoop:
+      return Sdc::SCHEME_LOOP;
+    case ReferenceScheme::kBilinear:
+      return Sdc::SCHEME_BILINEAR;
+  }
+  return Sdc::SCHEME_CATMARK;
+}
+
 }  // namespace
 
 struct UniformHierarchy::Implementation {
@@ -131,13 +143,13 @@ struct UniformHierarchy::Implementation {
 };
 
 UniformHierarchy::UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners,
-                                   TextureRule texture)
+                                   TextureRule texture, ReferenceScheme scheme)
     : implementation_(std::make_unique<Implementation>()) {
   const Description description(mesh);
   const Sdc::Options options = options_of(mesh.creases().method, corners, texture);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   implementation_->refiner.reset(
-      Factory::Create(description.descriptor, Factory::Options(Sdc::SCHEME_CATMARK, options)));
+      Factory::Create(description.descriptor, Factory::Options(type_of(scheme), options)));
   LIMN_EXPECTS(implementation_->refiner != nullptr);
   Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;

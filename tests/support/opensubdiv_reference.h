@@ -22,13 +22,17 @@ struct ReferenceLimits {
   std::vector<glm::dvec3> normals;  ///< Of length 1, or not finite where the tangents are parallel.
 };
 
-/// A control mesh after 0..levels uniform Catmull-Clark steps, with its creases and texture
+/// Whose steps.
+enum class ReferenceScheme { kCatmullClark, kLoop, kBilinear };
+
+/// A control mesh after 0..levels uniform steps, Catmull-Clark's if nothing else is said, with its creases and texture
 /// coordinates, by OpenSubdiv in double precision. Level 0 has the control mesh's vertex and face
 /// numbers.
 class UniformHierarchy {
  public:
   UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners,
-                   TextureRule texture = TextureRule::kSmoothInside);
+                   TextureRule texture = TextureRule::kSmoothInside,
+                   ReferenceScheme scheme = ReferenceScheme::kCatmullClark);
   ~UniformHierarchy();
   UniformHierarchy(const UniformHierarchy&) = delete;
   UniformHierarchy& operator=(const UniformHierarchy&) = delete;

@@ -54,9 +54,8 @@ struct RefinedMesh {
                                            ///< its position is P_k of uniform Catmull-Clark.
 
   LargeArray<std::array<std::uint32_t, 4>> quads;  ///< Counter-clockwise vertex indices.
-  LargeArray<std::uint32_t> polygon_offsets{
-      0};                                       ///< Faces that are no quads: prefix sums of sides,
-  LargeArray<std::uint32_t> polygon_vertices;  ///< and their vertices.
+  LargeArray<std::uint32_t> polygon_offsets{0};  ///< Faces that are no quads: prefix sums of sides,
+  LargeArray<std::uint32_t> polygon_vertices;    ///< and their vertices.
 
   LargeArray<std::uint32_t> face_control_faces;  ///< For every face the control face it lies in.
   LargeArray<std::uint8_t> face_levels;          ///< For every face the level it was made at.

@@ -29,9 +29,9 @@ struct SchemeCounts {
 
   [[nodiscard]] bool operator==(const SchemeCounts&) const = default;
 };
-/// For 0..levels, exact; a count that no 64 bits hold is the greatest they do. The mesh fits.
-[[nodiscard]] std::vector<SchemeCounts> predict_scheme(const ControlMesh& mesh, Scheme scheme,
-                                                       int levels);
+/// For 0..levels (up to kMostSchemeLevels), exact. The mesh fits.
+[[nodiscard]] std::vector<SchemeCounts> predict_scheme(const ControlMesh& mesh,
+                                                       const SchemeSettings& settings, int levels);
 
 /// Subdivides all of a mesh.
 ///
@@ -46,15 +46,35 @@ struct SchemeCounts {
 [[nodiscard]] Result<RefinedMesh> subdivide(const ControlMesh& mesh, const SchemeSettings& settings,
                                             const UniformLimits& limits, Progress& progress);
 
+/// A scheme level by level, for those who look at each of them.
+class SchemeLevels {
+ public:
+  /// At level 0. Keeps what it needs of the mesh. The mesh fits (`check_fits`).
+  SchemeLevels(const ControlMesh& mesh, const SchemeSettings& settings);
+  ~SchemeLevels();
+  SchemeLevels(SchemeLevels&&) noexcept;
+  SchemeLevels& operator=(SchemeLevels&&) noexcept;
+
+  [[nodiscard]] int level() const noexcept;
+  /// One level on; after an error the level is still the old one. Errors: kOverBudget, kCancelled.
+  [[nodiscard]] Result<void> advance(std::uint64_t face_budget, Progress& progress);
+  /// The level as `subdivide` gives it.
+  [[nodiscard]] RefinedMesh mesh() const;
+  [[nodiscard]] SchemeCounts counts() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// What makes a mesh fit for a scheme.
 enum class Fitting : std::uint8_t {
-  kTriangulate,         ///< Every face becomes triangles, by its shortest diagonals; creases stay.
-  kOneCatmullClarkStep  ///< Every face becomes quads.
+  kTriangulate,          ///< `triangulated` (mesh/triangulate.h).
+  kOneCatmullClarkStep,  ///< Every face becomes quads; the boundary by the mesh's own rule.
 };
 /// The one that makes any mesh fit for a scheme that takes such faces. `kinds` is not kAny.
 [[nodiscard]] Fitting fitting_for(FaceKinds kinds) noexcept;
-/// Texture coordinates and creases are carried along. Faces that are triangles already stay, and
-/// faces of a polygon follow each other in its place.
+/// Texture coordinates and creases are carried along.
 [[nodiscard]] std::shared_ptr<const ControlMesh> make_fit(const ControlMesh& mesh, Fitting fitting);
 
 }  // namespace limn
