@@ -14,6 +14,14 @@ std::uint64_t first_revision() noexcept {
 
 }  // namespace
 
+std::optional<SchemeSettings> shown_scheme(const Document& document) noexcept {
+  std::optional<SchemeSettings> scheme = document.scheme;
+  if (scheme) {
+    scheme->corners = document.settings.corners;
+  }
+  return scheme;
+}
+
 Document make_document(ImportedMesh mesh, std::string name, std::filesystem::path mesh_path) {
   LIMN_EXPECTS(mesh.mesh != nullptr);
   Document document;

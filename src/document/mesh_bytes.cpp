@@ -57,4 +57,16 @@ std::size_t mesh_bytes(const ControlMesh& mesh) {
          mesh.positions().size_bytes() + topology_bytes(mesh.topology());
 }
 
+std::size_t bytes_beside(const Document& document, const ControlMesh& mesh) {
+  const auto shares_surface = [&](const std::shared_ptr<const ControlMesh>& other) {
+    return other != nullptr && &other->topology() == &mesh.topology();
+  };
+  if (&mesh == document.control.get() || &mesh == document.opened.get()) {
+    return 0;
+  }
+  return shares_surface(document.control) || shares_surface(document.opened)
+             ? sizeof(ControlMesh) + attribute_bytes(mesh)
+             : mesh_bytes(mesh);
+}
+
 }  // namespace limn

@@ -17,6 +17,7 @@
 #include "json_lists.h"
 #include "json_writer.h"
 #include "limn/atomic_file.h"
+#include "limn/subdivision/schemes/uniform.h"
 #include "project_mesh.h"
 #include "regular_file.h"
 #include "view_json.h"
@@ -25,9 +26,9 @@ namespace limn {
 namespace {
 
 constexpr std::string_view kFormat = "limn-project";
-/// 2 brought creases, corners and texture coordinates. A project without them is still written as
-/// version 1, for programs that know no other.
-constexpr std::int64_t kVersion = 2;
+/// 2 brought creases, corners and texture coordinates, 3 uniform schemes. A project is written as
+/// the oldest version that holds it, for programs that know no other.
+constexpr std::int64_t kVersion = 3;
 /// Some five million control faces; a file beyond this is no painting.
 constexpr std::size_t kMostProjectBytes = std::size_t{1} << 30U;
 
@@ -41,6 +42,17 @@ constexpr std::array<Named<SurfacePoints>, 2> kSurfacePoints{
 constexpr std::array<Named<TextureRule>, 2> kTextureRules{
     {{"smooth-inside", TextureRule::kSmoothInside}, {"linear", TextureRule::kLinear}}};
 
+constexpr std::array<Named<LoopWeights>, 2> kLoopWeights{
+    {{"original", LoopWeights::kOriginal}, {"warren", LoopWeights::kWarren}}};
+
+std::array<Named<Scheme>, kSchemeCount> scheme_names() {
+  std::array<Named<Scheme>, kSchemeCount> names;
+  std::ranges::transform(schemes(), names.begin(), [](const SchemeInfo& info) {
+    return Named<Scheme>{info.name, info.scheme};
+  });
+  return names;
+}
+
 // --- writing
 
 /// Whether a program that reads version 1 alone would get the whole document.
@@ -52,12 +64,31 @@ bool is_plain(const Document& document) {
          (document.opened == nullptr || !has_attributes(*document.opened));
 }
 
+std::int64_t version_of(const Document& document) {
+  if (document.scheme) {
+    return 3;
+  }
+  return is_plain(document) ? 1 : 2;
+}
+
+void write_scheme(JsonWriter& writer, const SchemeSettings& settings) {
+  writer.add(
+      fmt::format("  \"scheme\": {{\n    \"name\": \"{}\"", scheme_info(settings.scheme).name));
+  if (settings.scheme == Scheme::kLoop) {
+    writer.add(fmt::format(",\n    \"weights\": \"{}\"", name_of(settings.weights, kLoopWeights)));
+  }
+  if (settings.scheme == Scheme::kLinear) {
+    writer.add(fmt::format(",\n    \"averages\": {}", settings.averages));
+  }
+  writer.add("\n  },\n");
+}
+
 void write_project(std::ostream& out, const Document& document,
                    const std::optional<ViewState>& view) {
   JsonWriter writer(out);
   const std::string mesh_path = document.mesh_path.string();
   writer.add(fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n", kFormat,
-                         is_plain(document) ? 1 : kVersion));
+                         version_of(document)));
   writer.add(fmt::format("  \"name\": {},\n", json_quoted(document.name)));
   // A path that is not UTF-8 cannot be said in JSON; a changed one would name another file.
   writer.add(
@@ -77,6 +108,9 @@ void write_project(std::ostream& out, const Document& document,
     writer.add(fmt::format(",\n    \"texture\": \"{}\"", name_of(settings.texture, kTextureRules)));
   }
   writer.add("\n  },\n");
+  if (document.scheme) {
+    write_scheme(writer, *document.scheme);
+  }
   const Stage& stage = document.stage;
   writer.add(fmt::format("  \"stage\": {{\n    \"legalised\": {},\n    \"levels\": {}\n  }},\n",
                          stage.is_legalised,
@@ -156,11 +190,28 @@ Stage read_stage(FieldReader& fields) {
   return stage;
 }
 
+std::optional<SchemeSettings> read_scheme(FieldReader& fields) {
+  if (fields.is_absent("/scheme")) {
+    return std::nullopt;
+  }
+  fields.expect_object("/scheme");
+  SchemeSettings settings;
+  settings.scheme = fields.choice("/scheme/name", scheme_names());
+  if (settings.scheme == Scheme::kLoop) {
+    settings.weights = fields.choice("/scheme/weights", kLoopWeights);
+  }
+  if (settings.scheme == Scheme::kLinear) {
+    settings.averages = fields.flag("/scheme/averages");
+  }
+  return settings;
+}
+
 /// The parts of a project that need no mesh.
 struct Header {
   std::string name;
   std::string mesh_path;
   SubdivisionSettings settings;
+  std::optional<SchemeSettings> scheme;
   Stage stage;
   std::optional<ViewState> view;
   MeshRules mesh;
@@ -173,7 +224,12 @@ Result<Header> read_header(const ProjectText& text, const std::string& source) {
   header.name = fields.text("/name");
   header.mesh_path = fields.text("/mesh_path");
   header.settings = read_settings(fields);
+  header.scheme = read_scheme(fields);
   header.stage = read_stage(fields);
+  if (header.scheme && header.stage.levels > kMostSchemeLevels) {
+    fields.complain("/stage/levels",
+                    fmt::format("of a uniform scheme must be 0..{}.", kMostSchemeLevels));
+  }
   if (!fields.is_absent("/view")) {
     header.view = read_view(fields, "/view");
   }
@@ -215,7 +271,13 @@ Result<Project> assemble(ProjectText text, Header header, const std::string& sou
     document.depths.set(f, text.depths[f]);
   }
   document.settings = header.settings;
+  document.scheme = header.scheme;
   document.stage = header.stage;
+  if (document.scheme && document.stage.levels > 0) {
+    if (auto fits = check_fits(*document.control, document.scheme->scheme); !fits) {
+      return fail(ErrorKind::kBadInput, "/scheme: " + fits.error().message, source);
+    }
+  }
   project.view = header.view;
   return project;
 }
@@ -226,7 +288,8 @@ Result<void> save_project(const std::filesystem::path& path, const Document& doc
                           const std::optional<ViewState>& view) {
   LIMN_EXPECTS(document.control != nullptr);
   LIMN_EXPECTS(document.depths.size() == document.control->face_count());
-  LIMN_EXPECTS(document.stage.levels >= 0 && document.stage.levels <= kAllLevels);
+  LIMN_EXPECTS(document.stage.levels >= 0 &&
+               document.stage.levels <= (document.scheme ? kMostSchemeLevels : kAllLevels));
   if (view) {
     if (std::string fault = fault_of(*view); !fault.empty()) {
       return fail(ErrorKind::kFailed, std::move(fault), path.string());

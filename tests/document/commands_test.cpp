@@ -34,13 +34,15 @@ struct State {
   Mesh opened;
   FaceDepths depths;
   SubdivisionSettings settings;
+  std::optional<SchemeSettings> scheme;
   Stage stage;
 
   [[nodiscard]] bool operator==(const State&) const = default;
 };
 
 State state_of(const Document& document) {
-  return {document.control, document.opened, document.depths, document.settings, document.stage};
+  return {document.control,  document.opened, document.depths,
+          document.settings, document.scheme, document.stage};
 }
 
 /// Which revisions differ: control, depths, stage.

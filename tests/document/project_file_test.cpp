@@ -156,7 +156,7 @@ TEST_F(ProjectFile, RefusesWhatIsNotAProject) {
 }
 
 TEST_F(ProjectFile, RefusesNewerVersionsBeforeAnythingElse) {
-  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 3"), HasSubstr("newer"));
+  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 4"), HasSubstr("newer"));
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 0"), StartsWith("/version: "));
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": \"1\""), StartsWith("/version: "));
   EXPECT_THAT(complaint_with("\"version\": 1,", ""), StartsWith("/version: "));

@@ -43,6 +43,7 @@ void expect_same_document(const Document& a, const Document& b) {
   EXPECT_EQ(a.opened == a.control, b.opened == b.control);
   EXPECT_EQ(a.depths, b.depths);
   EXPECT_EQ(a.settings, b.settings);
+  EXPECT_EQ(a.scheme, b.scheme);
   EXPECT_EQ(a.stage, b.stage);
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.mesh_path, b.mesh_path);

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "limn/document/command.h"
+#include "limn/error.h"
 #include "limn/painting/crease_rule.h"
 #include "limn/painting/depth_change.h"
+#include "limn/subdivision/schemes/uniform.h"
 
 namespace limn {
 
@@ -21,6 +25,10 @@ namespace limn {
 /// Other subdivision settings.
 [[nodiscard]] std::unique_ptr<Command> settings_command(SubdivisionSettings settings);
 
+/// Shows a uniform scheme, or what is painted where there is none, at a stage of its own.
+[[nodiscard]] std::unique_ptr<Command> scheme_command(std::optional<SchemeSettings> scheme,
+                                                      Stage stage, std::string name);
+
 /// Gives the control mesh other attributes: creases, corner rule, texture coordinates. `control` is
 /// the same surface as the document's, from ControlMesh::with_attributes. Depths and stage stay.
 [[nodiscard]] std::unique_ptr<Command> attributes_command(
@@ -34,6 +42,18 @@ namespace limn {
 /// mesh).
 [[nodiscard]] std::unique_ptr<Command> replace_control_command(
     std::shared_ptr<const ControlMesh> control, std::string name);
+
+/// Single edges of the control mesh (editing/edge_edits.h). The stage stays, and so does the
+/// painting: both halves of a face that is cut keep its depth.
+/// Errors: kFailed, with the reason, where the edge cannot be split or flipped.
+[[nodiscard]] Result<std::unique_ptr<Command>> split_edge_command(const Document& document,
+                                                                  std::uint32_t edge);
+[[nodiscard]] Result<std::unique_ptr<Command>> flip_edge_command(const Document& document,
+                                                                 std::uint32_t edge);
+
+/// The control mesh made to fit a scheme (`make_fit`), at stage 0. What becomes of a face keeps its
+/// depth, or one level less where the face was subdivided.
+[[nodiscard]] std::unique_ptr<Command> fit_command(const Document& document, Fitting fitting);
 
 /// Back to the mesh as it was opened, unpainted and at stage 0.
 [[nodiscard]] std::unique_ptr<Command> revert_command();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "limn/document/view_state.h"
@@ -10,6 +11,7 @@
 #include "limn/mesh/control_mesh.h"
 #include "limn/painting/face_depths.h"
 #include "limn/subdivision/prediction.h"
+#include "limn/subdivision/schemes/scheme.h"
 #include "limn/subdivision/settings.h"
 
 namespace limn {
@@ -18,7 +20,8 @@ namespace limn {
 /// derived from the control mesh and the depths; this only says how much of it to show.
 struct Stage {
   bool is_legalised = false;  ///< Illegal vertices removed (shown in the labels).
-  int levels = 0;             ///< 0: the control mesh; n: after n steps; kAllLevels: to the end.
+  int levels = 0;  ///< 0: the control mesh; n: after n steps; kAllLevels: to the end, which a
+                   ///< uniform scheme does not have (at most kMostSchemeLevels).
 
   [[nodiscard]] bool operator==(const Stage&) const = default;
 };
@@ -30,7 +33,7 @@ struct Stage {
 struct Revisions {
   std::uint64_t control = 0;
   std::uint64_t depths = 0;
-  std::uint64_t stage = 0;  ///< Stage or settings.
+  std::uint64_t stage = 0;  ///< Stage, settings or scheme.
 };
 
 /// What is open: the control mesh and its painting. Plain data, changed by commands alone
@@ -39,6 +42,9 @@ struct Document {
   std::shared_ptr<const ControlMesh> control;
   FaceDepths depths;  ///< One entry per face of `control`.
   SubdivisionSettings settings;
+  /// The uniform scheme that is shown instead of what is painted; nothing: the painting. Its corner
+  /// rule is that of `settings` (`shown_scheme`).
+  std::optional<SchemeSettings> scheme;
   Stage stage;
 
   std::string name;                    ///< For the title bar: "creature", "spot.obj".
@@ -51,6 +57,9 @@ struct Document {
 
   Revisions revisions;
 };
+
+/// The uniform scheme that is shown, with the document's corner rule.
+[[nodiscard]] std::optional<SchemeSettings> shown_scheme(const Document& document) noexcept;
 
 /// A fresh, unpainted document, with the boundary rule that the mesh asks for. `mesh.mesh` must be
 /// there.
