@@ -11,8 +11,8 @@ std::vector<SharpnessSum> sums_at_vertices(const LevelMesh& mesh) {
   std::vector<SharpnessSum> sums(mesh.vertex_count());
   for (std::uint32_t h = 0; h < mesh.half_edge_count(); ++h) {
     if (mesh.is_first(h)) {
-      sums[mesh.start(h)].add(mesh.edge_sharpness[mesh.edges[h]]);
-      sums[mesh.end(h)].add(mesh.edge_sharpness[mesh.edges[h]]);
+      sums[mesh.start(h)].add(mesh.sharpness(h));
+      sums[mesh.end(h)].add(mesh.sharpness(h));
     }
   }
   return sums;

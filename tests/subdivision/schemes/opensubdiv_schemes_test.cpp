@@ -1,5 +1,6 @@
 // Linear, Catmull-Clark and Loop against OpenSubdiv: positions and faces, also beside creases,
 // corners and boundaries.
+#include <memory>
 #include <set>
 #include <string>
 
@@ -96,6 +97,13 @@ TEST_P(OpenSubdivSchemes, AgreeBesideCreases) {
     const MeshPointer torus =
         test::control_mesh(test::jittered(test::torus_soup(7, 5), 0.1, random));
     shapes.push_back({"random creases", test::with_random_creases(*torus, 0.3, 0.05, random)});
+    // Tags on boundary edges, which are sharp whatever these say, and count for no other edge.
+    const MeshPointer grid = test::with_random_creases(
+        *test::control_mesh(test::jittered(test::grid_soup(6, 5), 0.1, random)), 0.4, 0.05, random);
+    MeshAttributes attributes = grid->attributes();
+    attributes.creases.method = CreasingMethod::kChaikin;
+    shapes.push_back({"random creases, open, Chaikin",
+                      std::make_shared<const ControlMesh>(grid->with_attributes(attributes))});
   }
   for (test::NamedShape& shape : shapes) {
     shape.mesh = test::fitted(shape.mesh, GetParam());
