@@ -1,14 +1,15 @@
 // Boundaries are edges that stay sharp for ever; what is sharp around a vertex tells its rule, and
-// where that changes in this step, the old and the new rule are mixed (DeRose, Kass & Truong 1998,
-// carried over to Loop's masks).
+// where that changes in this step, the old and the new rule are mixed (DeRose, Kass & Truong 1998).
 #include "editing/loop_step.h"
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/common.hpp>
 
 #include "subdivision/sharpness.h"
+#include "subdivision/vertex_rule.h"
 
 namespace limn {
 namespace {
@@ -40,30 +41,26 @@ class Stepping {
   }
 
  private:
-  /// What sharp edges and corners make of a vertex: a mean of itself and two neighbours' sum.
-  struct Rule {
-    int sharp_edges = 0;
-    bool is_corner = false;
-    glm::dvec3 ends{0.0};  ///< Sum of the sharp edges' other ends.
+  /// The sharp edges at a vertex.
+  struct Star {
+    SharpEdges edges;
+    glm::dvec3 ends{0.0};  ///< Sum of their other ends.
 
     void add(float sharpness, const glm::dvec3& end) {
-      if (is_sharp(sharpness)) {
-        ++sharp_edges;
-        ends += end;
-      }
+      edges.add(0, sharpness);
+      ends += is_sharp(sharpness) ? end : glm::dvec3(0.0);
     }
-    [[nodiscard]] int kind() const {
-      return is_corner || sharp_edges > 2 ? 2 : sharp_edges == 2 ? 1 : 0;
-    }
-    [[nodiscard]] glm::dvec3 point(const glm::dvec3& itself, const glm::dvec3& smooth) const {
-      switch (kind()) {
-        case 0:
-          return smooth;
-        case 1:
-          return 0.75 * itself + 0.125 * ends;
-        default:
+    [[nodiscard]] glm::dvec3 point(VertexRule rule, const glm::dvec3& itself,
+                                   const glm::dvec3& smooth) const {
+      switch (rule) {
+        case VertexRule::kCorner:
           return itself;
+        case VertexRule::kCrease:
+          return 0.75 * itself + 0.125 * ends;
+        case VertexRule::kSmooth:
+          break;
       }
+      return smooth;
     }
   };
 
@@ -121,8 +118,8 @@ class Stepping {
   }
 
   [[nodiscard]] glm::dvec3 vertex_point(std::uint32_t v) const {
-    Rule before;
-    Rule after;
+    Star before;
+    Star after;
     WornOff worn;
     glm::dvec3 sum(0.0);
     int n = 0;
@@ -136,19 +133,17 @@ class Stepping {
       sum += end;
       ++n;
     });
-    const float whole = corner_sharpness(v);
-    before.is_corner = is_sharp(whole);
-    after.is_corner = is_sharp(one_level_less(whole));
-    worn.add(whole, one_level_less(whole));
+    const float own = corner_sharpness(v);
+    worn.add(own, one_level_less(own));
+    const VertexRule rule = before.edges.rule(own);
+    const VertexRule child_rule = after.edges.rule(one_level_less(own));
 
     const double around = 0.375 + 0.25 * std::cos(2.0 * std::numbers::pi / n);
     const double others = 0.625 - around * around;  // n beta.
     const glm::dvec3& itself = mesh_.positions()[v];
     const glm::dvec3 smooth = (1.0 - others) * itself + others / n * sum;
-    const glm::dvec3 old_point = before.point(itself, smooth);
-    return before.kind() == after.kind()
-               ? old_point
-               : glm::mix(after.point(itself, smooth), old_point, double{worn.mean()});
+    return glm::mix(after.point(child_rule, itself, smooth), before.point(rule, itself, smooth),
+                    weight_of_rule(rule, child_rule, worn));
   }
 
   [[nodiscard]] glm::dvec3 edge_point(std::uint32_t e) const {
