@@ -5,10 +5,12 @@
 #include <random>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "limn/mesh/bundled.h"
+#include "limn/subdivision/schemes/uniform.h"
 #include "support/shapes.h"
 
 namespace limn::test {
@@ -226,6 +228,72 @@ TEST(SphereFit, IsNothingWherePointsDetermineNone) {
     }
   }
   EXPECT_FALSE(fit_sphere(saddle));
+}
+
+TEST(CompareWithSphere, HoldsEveryLevelAgainstItsOwnSphere) {
+  const MeshPointer mesh = load_bundled_mesh("icosahedron")->mesh;
+  for (const Scheme scheme : {Scheme::kLoop, Scheme::kCatmullClark, Scheme::kDooSabin}) {
+    const SchemeSettings settings{.scheme = scheme};
+    IgnoreProgress nobody;
+    const auto rows = compare_with_sphere(*mesh, settings, 3, nobody);
+    ASSERT_TRUE(rows) << rows.error().message;
+    ASSERT_EQ(rows->size(), 4u);
+    for (int level = 0; level <= 3; ++level) {
+      const SphereComparison& row = (*rows)[static_cast<std::size_t>(level)];
+      const RefinedMesh refined = subdivide(*mesh, settings, {.levels = level}, nobody).value();
+      Points points;
+      for (std::size_t v = 0; v < refined.vertex_count(); ++v) {
+        points.push_back(refined.position(v));
+      }
+      const auto fit = fit_sphere(points);
+      ASSERT_TRUE(fit);
+      EXPECT_EQ(row.level, level);
+      EXPECT_EQ(row.vertices, refined.vertex_count());
+      EXPECT_EQ(row.faces, refined.face_count());
+      EXPECT_EQ(row.vertices - row.edges + row.faces, 2u);
+      EXPECT_NEAR(row.fit.radius, fit->radius, 1e-7);
+      EXPECT_NEAR(row.fit.root_mean_square, fit->root_mean_square, 1e-7);
+    }
+  }
+}
+
+/// All vertices of an icosahedron are alike, so after one step its own are on one sphere and its
+/// midpoints on another: worked out from the weights.
+TEST(CompareWithSphere, FindsTheErrorsOfOneLoopStepOfTheIcosahedron) {
+  const MeshPointer mesh = load_bundled_mesh("icosahedron")->mesh;
+  IgnoreProgress nobody;
+  const auto rows = compare_with_sphere(
+      *mesh, {.scheme = Scheme::kLoop, .weights = LoopWeights::kWarren}, 1, nobody);
+  ASSERT_TRUE(rows) << rows.error().message;
+  const double old_vertex = 1.0 - 0.375 + 0.375 / std::sqrt(5.0);
+  // Ends at an angle of acos(1 / sqrt 5); the vertices opposite lie on their bisector's plane.
+  const double half = 0.5 * std::acos(1.0 / std::sqrt(5.0));
+  const double opposite = 1.0 / std::sqrt(5.0) / std::cos(half);
+  const double midpoint = 0.75 * std::cos(half) + 0.25 * opposite;
+  const double radius = (12.0 * old_vertex + 30.0 * midpoint) / 42.0;
+  const SphereFit& fit = (*rows)[1].fit;
+  EXPECT_NEAR(fit.radius, radius, 1e-6);
+  EXPECT_NEAR(fit.least, std::min(old_vertex, midpoint) - radius, 1e-6);
+  EXPECT_NEAR(fit.greatest, std::max(old_vertex, midpoint) - radius, 1e-6);
+}
+
+TEST(CompareWithSphere, SaysWhyItCannot) {
+  IgnoreProgress nobody;
+  const auto unfit = compare_with_sphere(*cube(), {.scheme = Scheme::kLoop}, 1, nobody);
+  ASSERT_FALSE(unfit);
+  EXPECT_EQ(unfit.error().kind, ErrorKind::kFailed);
+  const MeshPointer square =
+      control_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+  const auto flat = compare_with_sphere(*square, {.scheme = Scheme::kLinear}, 1, nobody);
+  ASSERT_FALSE(flat);
+  EXPECT_THAT(flat.error().message, testing::HasSubstr("level 0"));
+
+  class Cancel final : public Progress {
+    bool report(double, std::string_view) override { return false; }
+  } cancel;
+  const auto cancelled = compare_with_sphere(*cube(), {.scheme = Scheme::kLinear}, 1, cancel);
+  ASSERT_FALSE(cancelled);
+  EXPECT_EQ(cancelled.error().kind, ErrorKind::kCancelled);
 }
 
 }  // namespace
