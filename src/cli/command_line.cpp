@@ -54,6 +54,11 @@ int run(int argc, char** argv) {
   add_refine_command(program, work);
   add_render_command(program, work);
   add_info_command(program, work);
+  add_subdivide_command(program, work);
+  add_schemes_command(program, work);
+  add_compare_command(program, work);
+  add_symmetrise_command(program, work);
+  add_split_and_flip_command(program, work);
 
   try {
     program.parse(argc, argv);

@@ -17,5 +17,10 @@ using Work = std::function<Result<void>()>;
 void add_refine_command(CLI::App& program, Work& work);
 void add_render_command(CLI::App& program, Work& work);
 void add_info_command(CLI::App& program, Work& work);
+void add_subdivide_command(CLI::App& program, Work& work);
+void add_schemes_command(CLI::App& program, Work& work);
+void add_compare_command(CLI::App& program, Work& work);
+void add_symmetrise_command(CLI::App& program, Work& work);
+void add_split_and_flip_command(CLI::App& program, Work& work);
 
 }  // namespace limn::cli

@@ -74,9 +74,19 @@ TerminalProgress::~TerminalProgress() {
   if (previous_handler_ != SIG_ERR) {
     std::signal(SIGINT, previous_handler_);
   }
+  clear_line();
+}
+
+void TerminalProgress::clear_line() {
   if (has_drawn_) {
     fmt::print(stderr, "\r\033[K");
+    has_drawn_ = false;
   }
+}
+
+void TerminalProgress::note(std::string_view message) {
+  clear_line();
+  print_note(message);
 }
 
 bool TerminalProgress::report(double fraction, std::string_view stage) {

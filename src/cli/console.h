@@ -33,8 +33,12 @@ class TerminalProgress final : public Progress {
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   [[nodiscard]] bool report(double fraction, std::string_view stage) override;
+  /// As print_note, in place of the line of progress.
+  void note(std::string_view message);
 
  private:
+  void clear_line();
+
   bool is_terminal_;
   bool has_drawn_ = false;
   std::chrono::steady_clock::time_point last_drawn_;

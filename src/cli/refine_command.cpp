@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,9 +10,9 @@
 
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/mesh_output.h"
 #include "cli/report.h"
 #include "cli/view_options.h"
-#include "limn/mesh/export.h"
 
 namespace limn::cli {
 namespace {
@@ -25,21 +24,7 @@ struct RefineOptions {
   bool json = false;
 };
 
-constexpr std::string_view kMeshEnding = ".obj";
 constexpr std::string_view kProjectEnding = ".limn";
-
-/// Writes the refined mesh, or the control mesh where no level was made; `-` is standard output.
-template <class Mesh>
-Result<void> write_mesh(const std::string& output, const Mesh& mesh, const FaceDepths& depths) {
-  if (output != "-") {
-    return export_obj(output, mesh, depths.values());
-  }
-  write_obj(std::cout, mesh, depths.values());
-  if (!std::cout.flush()) {
-    return fail(ErrorKind::kFailed, "could not write to standard output");
-  }
-  return {};
-}
 
 Result<void> write_output(const RefineOptions& options, const Project& project,
                           const Derived& derived) {
@@ -50,7 +35,7 @@ Result<void> write_output(const RefineOptions& options, const Project& project,
     });
   }
   if (derived.refinement) {
-    return write_mesh(options.output, *derived.refinement->mesh, document.depths);
+    return write_mesh(options.output, *derived.refinement->mesh, document.depths.values());
   }
   // The boundary rule is the document's, whatever the mesh came with.
   MeshAttributes attributes = document.control->attributes();
@@ -58,7 +43,7 @@ Result<void> write_output(const RefineOptions& options, const Project& project,
     attributes.corners = document.settings.corners;
   }
   return write_mesh(options.output, document.control->with_attributes(std::move(attributes)),
-                    document.depths);
+                    document.depths.values());
 }
 
 Result<void> refine_and_write(const RefineOptions& options) {
@@ -101,13 +86,8 @@ void add_refine_command(CLI::App& program, Work& work) {
       ->type_name("OUT");
   command->add_flag("--json", options->json, "The numbers as JSON on standard output");
   command->callback([options, &work] {
-    if (options->json && options->output == "-") {
-      throw CLI::ValidationError("--json", "standard output cannot take both -o - and --json");
-    }
-    if (!options->output.empty() && options->output != "-" &&
-        !options->output.ends_with(kMeshEnding) && !options->output.ends_with(kProjectEnding)) {
-      throw CLI::ValidationError("--output",
-                                 options->output + ": the ending is to be .obj or .limn");
+    if (!options->output.ends_with(kProjectEnding)) {
+      check_output(options->output, options->json, ".obj or .limn");
     }
     work = [options] { return refine_and_write(*options); };
   });

@@ -1,6 +1,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -9,10 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/input.h"
 #include "cli/picture.h"
 #include "cli/report.h"
+#include "cli/scheme_options.h"
 #include "cli/view_options.h"
+#include "limn/subdivision/schemes/uniform.h"
 #include "render/png.h"
 
 namespace limn::cli {
@@ -23,12 +27,64 @@ enum class RefineOn { kCpu, kGpu };
 
 struct RenderOptions {
   PaintingOptions painting;
+  SchemeOptions scheme;  ///< Where it names one, that is drawn and no refinement of the painting.
   ViewOptions view;
   PictureSettings picture;
   RefineOn refine_on = RefineOn::kCpu;
   std::string output;
   bool json = false;
 };
+
+/// What is to be drawn, and its numbers.
+struct Drawable {
+  Document document;
+  Derived derived;
+  PictureSettings picture;
+  nlohmann::ordered_json report;
+};
+
+/// The painting, refined.
+Result<Drawable> make_refinement(const RenderOptions& options, const Project& project) {
+  PaintingOptions painting = options.painting;
+  PictureSettings picture = options.picture;
+  if (options.picture.show == PictureSettings::Show::kControl) {
+    painting.levels = 0;
+  } else if (options.refine_on == RefineOn::kGpu) {
+    picture.on_gpu = GpuReach{painting.levels, painting.face_budget};
+    painting.levels = 0;  // Labels alone.
+  }
+  return derive(project, painting).map([&](Derived&& derived) {
+    return Drawable{project.document, std::move(derived), picture, {}};
+  });
+}
+
+/// The mesh, subdivided by a scheme.
+Result<Drawable> make_uniform(const RenderOptions& options, const Project& project) {
+  SchemeOptions scheme = options.scheme;
+  scheme.corners = options.painting.corners;
+  const SchemeSettings settings = scheme_settings(scheme, project.document);
+  Result<std::shared_ptr<const ControlMesh>> mesh =
+      fit_mesh(project.document.control, settings.scheme, scheme.is_fitted, project.document.name);
+  if (!mesh) {
+    return tl::unexpected(std::move(mesh.error()));
+  }
+  const int levels = options.painting.levels == kAllLevels ? 1 : options.painting.levels;
+  TerminalProgress progress;
+  Result<RefinedMesh> refined = subdivide(
+      **mesh, settings, {.levels = levels, .face_budget = options.painting.face_budget}, progress);
+  if (!refined) {
+    return tl::unexpected(std::move(refined.error()));
+  }
+  Drawable drawable{
+      make_document({*std::move(mesh), {}}, project.document.name), {}, options.picture, {}};
+  drawable.report = {{"scheme", scheme_info(settings.scheme).name},
+                     {"levels", levels},
+                     {"vertices", refined->vertex_count()},
+                     {"faces", refined->face_count()}};
+  drawable.derived.refinement.emplace().mesh =
+      std::make_shared<const RefinedMesh>(*std::move(refined));
+  return drawable;
+}
 
 Result<void> render_and_write(const RenderOptions& options) {
   const Result<Project> project = open_painted(options.painting, visible_faces_from(options.view));
@@ -39,23 +95,16 @@ Result<void> render_and_write(const RenderOptions& options) {
   if (!view) {
     return tl::unexpected(view.error());
   }
-  PaintingOptions painting = options.painting;
-  PictureSettings picture = options.picture;
-  if (options.picture.show == PictureSettings::Show::kControl) {
-    painting.levels = 0;
-  } else if (options.refine_on == RefineOn::kGpu) {
-    picture.on_gpu = GpuReach{painting.levels, painting.face_budget};
-    painting.levels = 0;  // Labels alone.
+  const std::shared_ptr<void> limit = limit_threads(options.painting.threads);
+  Result<Drawable> drawable =
+      options.scheme.scheme ? make_uniform(options, *project) : make_refinement(options, *project);
+  if (!drawable) {
+    return tl::unexpected(std::move(drawable.error()));
   }
-  const std::shared_ptr<void> limit = limit_threads(painting.threads);
-  Result<Derived> derived = derive(*project, painting);
-  if (!derived) {
-    return tl::unexpected(derived.error());
-  }
-  const Document& document = project->document;
   const render::Camera camera =
-      render::make_camera(*view, document.control->bounds(), options.view.size);
-  const Result<render::Image> image = draw_document(document, *derived, camera, picture);
+      render::make_camera(*view, project->document.control->bounds(), options.view.size);
+  const Result<render::Image> image =
+      draw_document(drawable->document, drawable->derived, camera, drawable->picture);
   if (!image) {
     return tl::unexpected(image.error());
   }
@@ -63,9 +112,27 @@ Result<void> render_and_write(const RenderOptions& options) {
     return written;
   }
   if (options.json) {
-    fmt::print("{}\n", refinement_report(document, *derived).dump(2));
+    const auto report = options.scheme.scheme
+                            ? drawable->report
+                            : refinement_report(drawable->document, drawable->derived);
+    fmt::print("{}\n", report.dump(2));
   }
   return {};
+}
+
+/// What goes with painting, and not with a scheme that knows no depths.
+void add_render_scheme_options(CLI::App& command, SchemeOptions& options) {
+  add_scheme_options(command, options);
+  CLI::Option* scheme = command.get_option("--scheme");
+  scheme->description("Draw the mesh subdivided by a uniform scheme instead: " + scheme_words() +
+                      "; --levels says how often (1)");
+  for (const char* name : {"--paint", "--legalize", "--non-quads", "--positions", "--texture",
+                           "--refine-on", "--labels", "--illegal"}) {
+    scheme->excludes(name);
+  }
+  for (const char* name : {"--weights", "--average", "--fit"}) {
+    command.get_option(name)->needs(scheme);
+  }
 }
 
 }  // namespace
@@ -125,7 +192,16 @@ void add_render_command(CLI::App& program, Work& work) {
       "--light-theme", [&picture] { picture.draw.theme = render::Theme::kLight; },
       "Light background instead of dark");
   command->add_flag("--json", options->json, "The numbers as JSON on standard output");
-  command->callback([options, &work] { work = [options] { return render_and_write(*options); }; });
+  add_render_scheme_options(*command, options->scheme);
+  command->callback([options, &work] {
+    check_scheme_options(options->scheme);
+    if (const int levels = options->painting.levels;
+        options->scheme.scheme && levels != kAllLevels && levels > kMostSchemeLevels) {
+      throw CLI::ValidationError(
+          "--levels", fmt::format("a scheme is subdivided up to {} times", kMostSchemeLevels));
+    }
+    work = [options] { return render_and_write(*options); };
+  });
 }
 
 }  // namespace limn::cli

@@ -97,6 +97,38 @@ TEST_F(Render, IllegalFacesAndLabelsAsPainted) {
                              "cli_illegal_labels"));
 }
 
+/// One mesh with a boundary, made to fit each.
+TEST_F(Render, EveryScheme) {
+  for (const char* scheme : {"linear", "catmull-clark", "loop", "butterfly", "kobbelt", "sqrt3",
+                             "doo-sabin", "midedge", "biquartic"}) {
+    EXPECT_TRUE(
+        matches_golden(picture({"torus_open", "--scheme", scheme, "--fit", "--levels", "2"}),
+                       std::string("cli_scheme_") + scheme));
+  }
+}
+
+TEST_F(Render, SchemesShowTheirChoices) {
+  const Words loop = {"cube_triangulated", "--scheme", "loop",          "--weights", "warren",
+                      "--levels",          "3",        "--light-theme", "--show",    "both"};
+  EXPECT_TRUE(matches_golden(picture(loop), "cli_scheme_loop_warren_both"));
+  EXPECT_TRUE(matches_golden(picture({"cube", "--scheme", "linear", "--average", "--levels", "3"}),
+                             "cli_scheme_linear_averaged"));
+}
+
+TEST_F(Render, SchemesGoWithNoPainting) {
+  for (const Words& words :
+       {Words{"--paint", "all:+1"}, Words{"--labels"}, Words{"--refine-on", "gpu"},
+        Words{"--weights", "warren"}, Words{"--levels", "13"}}) {
+    Words all = {"render", "cube", "--scheme", "doo-sabin", "-o", "unwritten.png"};
+    all.insert(all.end(), words.begin(), words.end());
+    EXPECT_EQ(limn(all).exit_code, 2) << words.front();
+  }
+  const ProgramRun refused = limn({"render", "cube", "--scheme", "loop", "-o", "unwritten.png"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, testing::HasSubstr("--fit"));
+  EXPECT_FALSE(std::filesystem::exists("unwritten.png"));
+}
+
 TEST_F(Render, LooksFromACameraFile) {
   const ScratchFolder scratch;
   write_file(scratch.file("camera.json"),
