@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # pictures.sh
-# Makes the README's pictures anew: the painted creature and its refinement by `limn render`, and a
-# screenshot of the window on a display of its own.
+# Makes the pictures of the documentation anew: the painted creature and its refinement by `limn render`,
+# a screenshot of the window on a display of its own, and the schemes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/install-packages.sh program tests
@@ -22,4 +22,5 @@ look=(--view three-quarter --size 960x720 --light-theme)
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show control -o docs/painted.png
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show refined -o docs/refined.png
 scripts/window_picture.py "$limn" "$scratch/creature.limn" docs/window.png
+scripts/scheme_pictures.sh "$limn"
 ls -l docs/*.png
