@@ -7,7 +7,8 @@
 //   - it has as many sides as the labels of a and b make of an edge.
 // The labels are recovered from `vertex_levels`: a vertex that was ever positive has moved in just
 // as many steps; one that moved once had label 1 or 0, which only differs for an edge whose two
-// ends both moved once: it then has one side or two.
+// ends both moved once: it then has one side or two. Triangles alone are Loop's, or have not been
+// refined at all: there an edge has two sides for each level of its face.
 #include "subdivision/boundary_paths.h"
 
 #include <algorithm>
@@ -53,8 +54,15 @@ void BoundaryPaths::follow(const Meshes& meshes, const ControlEdge& edge) {
   path_.clear();
   const std::uint8_t label_from = meshes.refined->vertex_levels[edge.from];
   const std::uint8_t label_to = meshes.refined->vertex_levels[edge.to];
-  const std::uint64_t most = edges_between(label_from, label_to);
-  const std::uint64_t least = std::max(label_from, label_to) <= 1 ? 1 : most;
+  std::uint64_t most = edges_between(label_from, label_to);
+  std::uint64_t least = std::max(label_from, label_to) <= 1 ? 1 : most;
+  if (meshes.refined->quads.empty()) {
+    const std::size_t side = side_from(meshes, edge.from, edge.face);
+    if (side == kNoSide) {
+      return;
+    }
+    most = least = std::uint64_t{1} << meshes.refined->face_levels[meshes.singles[side].face];
+  }
   std::uint32_t at = edge.from;
   do {
     const std::size_t side = side_from(meshes, at, edge.face);

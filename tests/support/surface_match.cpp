@@ -50,9 +50,6 @@ PlainMesh plain(const ControlMesh& mesh) {
 
 std::vector<std::uint32_t> matching_vertices(std::span<const glm::dvec3> of,
                                              std::span<const glm::dvec3> among, double distance) {
-  if (of.size() != among.size()) {
-    return {};
-  }
   std::vector<std::uint32_t> order(among.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::sort(order, {}, [&](std::uint32_t v) { return along(among[v]); });

@@ -20,8 +20,8 @@ struct PlainMesh {
 [[nodiscard]] PlainMesh plain(const RefinedMesh& mesh);
 [[nodiscard]] PlainMesh plain(const ControlMesh& mesh);
 
-/// For each vertex of `of` the one of `among` no further than `distance` away, such that no two
-/// have the same; empty where there are none such or the numbers differ.
+/// For each point of `of` one of `among` no further than `distance` away, such that no two have the
+/// same; empty where there are none such.
 [[nodiscard]] std::vector<std::uint32_t> matching_vertices(std::span<const glm::dvec3> of,
                                                            std::span<const glm::dvec3> among,
                                                            double distance);

@@ -12,7 +12,7 @@ namespace limn {
 
 /// Whether a refined mesh is watertight where its control mesh is. Edges come from the faces alone;
 /// for the boundary, `vertex_levels` of the control vertices say how many edges each control
-/// boundary edge has become.
+/// boundary edge has become, and where all faces are triangles their levels do.
 struct CrackCheck {
   std::size_t boundary_edges = 0;          ///< Edges with one face.
   std::size_t control_boundary_edges = 0;  ///< Of those, edges that lie on a control boundary edge.
