@@ -6,6 +6,7 @@ const int kWireframe = 4;
 const int kColourByDepth = 8;
 const int kColourByLevel = 16;
 const int kShowIllegal = 32;
+const int kFilled = 64;
 
 layout(std140, binding = 0) uniform Frame {
   mat4 clip_from_local;
@@ -14,7 +15,9 @@ layout(std140, binding = 0) uniform Frame {
   vec4 viewport;       // width, height, pixels per unit of the interface, unused
   vec4 palette[8];     // linear RGB of depths
   vec4 palette_text[8];  // sRGB of digits on them
-  vec4 illegal;        // sRGB, as are the next ones
+  vec4 valences[4];    // sRGB of irregular vertices, as are the next ones
+  vec4 valence_text[4];  // of digits on them
+  vec4 illegal;
   vec4 relabelled;
   vec4 accent;
   vec4 wire;           // alpha: strength

@@ -12,6 +12,7 @@ const uint kLabel = 0u;
 const uint kIllegalVertex = 1u;
 const uint kRelabelled = 2u;
 const uint kFaceNumber = 3u;
+const uint kValence = 4u;  // 4 + band
 
 in vec2 from_centre;
 flat in uint number;
@@ -61,6 +62,7 @@ void main() {
     return;
   }
 
+  uint band = style >= kValence ? style - kValence : 0u;
   bool has_digits = style != kIllegalVertex && number > 0u;
   float radius = (has_digits ? 7.5 : style == kIllegalVertex ? 5.0 : 3.0) * unit;
   float outside = length(from_centre) - radius;
@@ -70,11 +72,14 @@ void main() {
   }
   vec3 fill = style == kIllegalVertex ? illegal.rgb
               : style == kRelabelled  ? relabelled.rgb
+              : style >= kValence     ? valences[band].rgb
                                       : srgb_from_linear(palette[shade].rgb);
   // A thin darker border sets the dot off from a surface of the same colour.
   vec3 shown = mix(fill, fill * 0.45, clamp(outside + 1.2 * unit + 0.5, 0.0, 1.0));
   if (has_digits) {
-    vec3 ink = style == kRelabelled ? vec3(0.0) : palette_text[shade].rgb;
+    vec3 ink = style == kRelabelled ? vec3(0.0)
+               : style >= kValence  ? valence_text[band].rgb
+                                    : palette_text[shade].rgb;
     float height = (number >= 10u ? 6.5 : 8.0) * unit;
     shown = mix(shown, ink, 0.9 * number_coverage(height, 1.25 * unit));
   }

@@ -70,6 +70,15 @@ void main() {
     shown = mix(shown, illegal.rgb, 0.12);
     shown = mix(shown, illegal.rgb, 0.85 * clamp(1.5 * unit + 0.5 - from_stripe, 0.0, 1.0));
   }
+  if (!has_option(kFilled)) {
+    // Edges alone, through which one sees the others: the alpha becomes coverage.
+    float ink = has_option(kWireframe) ? line(nearest, 1.2 * unit) : 0.0;
+    if (ink <= 0.0) {
+      discard;
+    }
+    colour = vec4(is_highlighted ? accent.rgb : cage.rgb, ink);
+    return;
+  }
   if (is_highlighted) {
     shown = mix(shown, vec3(1.0), 0.24);
   }

@@ -24,6 +24,7 @@ struct DrawSettings {
   Theme theme = Theme::kDark;
   bool is_lit = true;
   bool has_wireframe = true;
+  bool has_faces = true;             ///< Otherwise the wireframe alone, if there is one.
   bool shows_illegal_faces = false;  ///< Hatches the faces of FacePaint::set_illegal.
   bool has_background = true;        ///< Otherwise the theme's lower colour alone.
   float scale = 1.0F;                ///< Pixels per unit of the interface: 2 on HiDPI monitors.

@@ -12,6 +12,7 @@ constexpr std::int32_t kWireframe = 4;
 constexpr std::int32_t kColourByDepth = 8;
 constexpr std::int32_t kColourByLevel = 16;
 constexpr std::int32_t kShowIllegal = 32;
+constexpr std::int32_t kFilled = 64;
 
 constexpr Rgb kBlack{0, 0, 0};
 constexpr Rgb kDarkCage{0xe6, 0xe6, 0xe6};
@@ -34,6 +35,7 @@ std::int32_t option_bits(const DrawSettings& settings) {
   bits |= settings.colour == FaceColour::kDepth ? kColourByDepth : 0;
   bits |= settings.colour == FaceColour::kLevel ? kColourByLevel : 0;
   bits |= settings.shows_illegal_faces ? kShowIllegal : 0;
+  bits |= settings.has_faces ? kFilled : 0;
   return bits;
 }
 
@@ -62,6 +64,10 @@ FrameUniforms frame_uniforms(const Camera& camera, const glm::dvec3& origin,
   for (std::size_t depth = 0; depth < frame.palette.size(); ++depth) {
     frame.palette[depth] = linear_rgb(depth_palette()[depth]);
     frame.palette_text[depth] = srgb(text_colour_on(depth_palette()[depth]));
+  }
+  for (std::size_t band = 0; band < frame.valences.size(); ++band) {
+    frame.valences[band] = srgb(valence_palette()[band]);
+    frame.valence_text[band] = srgb(text_colour_on(valence_palette()[band]));
   }
   frame.illegal = srgb(kIllegalColour);
   frame.relabelled = srgb(kRelabelledColour);

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "limn/painting/valence_palette.h"
 #include "render/camera.h"
 #include "render/draw_settings.h"
 
@@ -20,6 +21,8 @@ struct FrameUniforms {
   glm::vec4 viewport;
   std::array<glm::vec4, kDepthColours> palette;
   std::array<glm::vec4, kDepthColours> palette_text;
+  std::array<glm::vec4, kValenceBands> valences;
+  std::array<glm::vec4, kValenceBands> valence_text;
   glm::vec4 illegal;
   glm::vec4 relabelled;
   glm::vec4 accent;

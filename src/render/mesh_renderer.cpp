@@ -95,15 +95,17 @@ void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   if (scene.surface != nullptr) {
-    draw_surface(scene);
+    draw_surface(scene, settings);
   }
   begin_blending();
   if (scene.cage != nullptr) {
     draw_cage(*scene.cage, settings);
   }
   draw_creases(scene);
-  if (scene.markers != nullptr) {
-    draw_markers(*scene.markers);
+  for (const MarkerBuffers* markers : {scene.markers, scene.valences}) {
+    if (markers != nullptr) {
+      draw_markers(*markers);
+    }
   }
   glDisable(GL_DEPTH_TEST);
   draw_overlay(scene);
@@ -119,11 +121,15 @@ void MeshRenderer::draw_background(const DrawSettings& settings) const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void MeshRenderer::draw_surface(const Scene& scene) const {
+void MeshRenderer::draw_surface(const Scene& scene, const DrawSettings& settings) const {
   LIMN_EXPECTS(scene.paint->face_count() == scene.surface->control_face_count());
   surface_program_.use();
   scene.paint->bind();
+  if (!settings.has_faces) {
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  }
   scene.surface->draw();
+  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }
 
 void MeshRenderer::draw_cage(const SurfaceBuffers& cage, const DrawSettings& settings) const {

@@ -42,6 +42,7 @@ struct Scene {
   const CreaseBuffers* creases = nullptr;   ///< Of `surface`.
   const CreaseBuffers* cage_creases = nullptr;  ///< Of `cage`.
   const MarkerBuffers* markers = nullptr;
+  const MarkerBuffers* valences = nullptr;  ///< Markers as well, over the others.
   std::optional<OverlayRing> ring;
   std::span<const OverlaySegment> segments;
 };
@@ -59,7 +60,7 @@ class MeshRenderer {
 
  private:
   void draw_background(const DrawSettings& settings) const;
-  void draw_surface(const Scene& scene) const;
+  void draw_surface(const Scene& scene, const DrawSettings& settings) const;
   void draw_cage(const SurfaceBuffers& cage, const DrawSettings& settings) const;
   void draw_creases(const Scene& scene) const;
   void draw_markers(const MarkerBuffers& markers) const;

@@ -38,6 +38,19 @@ TEST(Markers, DepthsStandAtTheCentroidsOfPaintedFaces) {
   EXPECT_EQ(markers[1].position, glm::vec3(0, 0, 1));
 }
 
+TEST(Markers, ValencesStandAtIrregularVerticesInTheColourOfTheirBand) {
+  const auto mesh = test::cube();
+  const glm::dvec3 origin(0.25, 0.5, -1.0);
+  const std::vector<Marker> markers =
+      valence_markers(*mesh, std::vector<IrregularVertex>{{2, 3, 1}, {7, 200, 3}}, origin);
+  ASSERT_EQ(markers.size(), 2U);
+  EXPECT_EQ(markers[0].position, glm::vec3(mesh->positions()[2] - origin));
+  EXPECT_EQ(markers[0].number, 3);
+  EXPECT_EQ(static_cast<int>(markers[0].style), static_cast<int>(MarkerStyle::kValence) + 1);
+  EXPECT_EQ(markers[1].number, 99) << "two digits are all a dot has room for";
+  EXPECT_EQ(static_cast<int>(markers[1].style), static_cast<int>(MarkerStyle::kValence) + 3);
+}
+
 TEST(DigitStrokes, StayWithinTheirBoxAndReachTopAndBottom) {
   const DigitStrokes font = make_digit_strokes();
   EXPECT_EQ(font.first[10], font.strokes.size());

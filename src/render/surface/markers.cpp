@@ -1,5 +1,7 @@
 #include "render/surface/markers.h"
 
+#include <algorithm>
+
 #include "limn/contract.h"
 
 namespace limn::render {
@@ -11,6 +13,21 @@ struct MarkerRecord {
   std::uint32_t number_and_style;
 };
 static_assert(sizeof(MarkerRecord) == 16);
+
+template <class PositionOf>
+std::vector<Marker> markers_at(std::span<const IrregularVertex> vertices,
+                               PositionOf&& position_of) {
+  constexpr std::uint8_t kMostShown = 99;
+  std::vector<Marker> markers;
+  markers.reserve(vertices.size());
+  for (const IrregularVertex& vertex : vertices) {
+    const auto style = static_cast<std::uint8_t>(MarkerStyle::kValence);
+    markers.push_back({glm::vec3(position_of(vertex.vertex)),
+                       static_cast<MarkerStyle>(style + vertex.band),
+                       std::min(vertex.valence, kMostShown)});
+  }
+  return markers;
+}
 
 }  // namespace
 
@@ -50,6 +67,18 @@ std::vector<Marker> depth_markers(const ControlMesh& mesh, std::span<const std::
         {glm::vec3(sum / static_cast<double>(face.size())), MarkerStyle::kFaceNumber, depths[f]});
   }
   return markers;
+}
+
+std::vector<Marker> valence_markers(const ControlMesh& mesh,
+                                    std::span<const IrregularVertex> vertices,
+                                    const glm::dvec3& origin) {
+  return markers_at(vertices, [&](std::uint32_t v) { return mesh.positions()[v] - origin; });
+}
+
+std::vector<Marker> valence_markers(const RefinedMesh& mesh,
+                                    std::span<const IrregularVertex> vertices,
+                                    const glm::dvec3& origin) {
+  return markers_at(vertices, [&](std::uint32_t v) { return mesh.position(v) - origin; });
 }
 
 MarkerBuffers::MarkerBuffers()

@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include "limn/mesh/control_mesh.h"
+#include "limn/mesh/refined_mesh.h"
+#include "limn/painting/valence_palette.h"
 #include "limn/subdivision/labels.h"
 #include "render/gl/buffer.h"
 #include "render/gl/vertex_array.h"
@@ -20,6 +22,8 @@ enum class MarkerStyle : std::uint8_t {
   kIllegal = 1,     ///< A magenta dot.
   kRelabelled = 2,  ///< An amber dot with the number in it.
   kFaceNumber = 3,  ///< The number alone, in ink that is read on its depth colour.
+  /// The first of kValenceBands styles: a dot in the band's colour with the number in it.
+  kValence = 4,
 };
 
 /// A dot or number at a point of a surface.
@@ -38,6 +42,15 @@ struct Marker {
 /// The depth of every painted control face, as a number at its centroid.
 [[nodiscard]] std::vector<Marker> depth_markers(const ControlMesh& mesh,
                                                 std::span<const std::uint8_t> depths);
+
+/// Dots with the valence of irregular vertices of a mesh (control or refined), relative to
+/// `origin`.
+[[nodiscard]] std::vector<Marker> valence_markers(const ControlMesh& mesh,
+                                                  std::span<const IrregularVertex> vertices,
+                                                  const glm::dvec3& origin);
+[[nodiscard]] std::vector<Marker> valence_markers(const RefinedMesh& mesh,
+                                                  std::span<const IrregularVertex> vertices,
+                                                  const glm::dvec3& origin);
 
 /// Markers on the GPU. Upload where they change, never a frame.
 class MarkerBuffers {
