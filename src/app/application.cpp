@@ -113,9 +113,15 @@ bool Application::take_news() {
 
 ViewportPlace Application::place_of(const ui::WindowRect& viewport) const {
   const double density = window_.density();
-  return {viewport,
-          {std::max(static_cast<int>(std::lround(viewport.size.width * density)), 1),
-           std::max(static_cast<int>(std::lround(viewport.size.height * density)), 1)}};
+  const ui::ViewportHalves halves = ui::viewport_halves(viewport, session_.is_split());
+  const ui::WindowRect& first = halves.first;
+  ViewportPlace place{first,
+                      {std::max(static_cast<int>(std::lround(first.size.width * density)), 1),
+                       std::max(static_cast<int>(std::lround(first.size.height * density)), 1)}};
+  if (halves.second) {
+    place.second = halves.second->origin;
+  }
+  return place;
 }
 
 void Application::frame() {
@@ -130,11 +136,12 @@ void Application::frame() {
   const ui::GuiFrame gui = gui_.frame(model, input, window_.size());
 
   place_ = place_of(gui.viewport);
-  session_.set_aspect(place_.size.aspect());
   const auto before = session_.document().revisions;
   for (const ui::Action& action : gui.actions) {
     session_.perform(action);
   }
+  place_ = place_of(gui.viewport);  // It may have been split.
+  session_.set_aspect(place_.size.aspect());
   sync_scene();
   ScenePicker picker(scene_, session_, place_.size);
   controller_.update(gui.viewport_input, place_, session_, picker);
@@ -170,14 +177,21 @@ void Application::draw(const ViewportPlace& place) {
   const render::FramebufferSize framebuffer = window_.framebuffer_size();
   const ui::Scale scale = this->scale();
   scene_.draw(session_, place.size,
-              {controller_.ring(), controller_.highlighted(), scale.interface * scale.density});
+              {controller_.ring(), controller_.highlighted(), session_.hover_edge(),
+               scale.interface * scale.density});
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, framebuffer.width, framebuffer.height);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
-  const auto left = static_cast<int>(std::lround(place.rect.origin.x * scale.density));
-  const auto top = static_cast<int>(std::lround(place.rect.origin.y * scale.density));
-  scene_.present({left, framebuffer.height - top - place.size.height});
+  const auto lower_left = [&](const ui::WindowPoint& upper_left) {
+    const auto left = static_cast<int>(std::lround(upper_left.x * scale.density));
+    const auto top = static_cast<int>(std::lround(upper_left.y * scale.density));
+    return glm::ivec2(left, framebuffer.height - top - place.size.height);
+  };
+  scene_.present(lower_left(place.rect.origin));
+  if (place.second) {
+    scene_.present_second(lower_left(*place.second));
+  }
   imgui_renderer_.draw(gui_.draw_data());
 }
 

@@ -15,12 +15,34 @@ bool same(const Revisions& a, const Revisions& b) {
   return a.control == b.control && a.depths == b.depths && a.stage == b.stage;
 }
 
+ui::RefinementResult result_of(const JobResult& job) {
+  ui::RefinementResult result;
+  result.faces = job.mesh->face_count();
+  result.vertices = job.mesh->vertex_count();
+  result.bytes = job.mesh->bytes();
+  result.uniform_faces = job.prediction.uniform_faces;
+  result.levels = job.prediction.levels;
+  result.legalise_seconds = job.labels->seconds;
+  if (job.refinement != nullptr) {
+    result.refine_seconds = job.refinement->refine_seconds;
+    result.cracks = &job.refinement->cracks;
+  }
+  for (const SchemeStep& step : job.steps) {
+    result.refine_seconds += step.seconds;
+  }
+  return result;
+}
+
 }  // namespace
 
 void LiveRefinement::follow(const Document& document, const Wish& wish) {
-  const int levels =
-      document.stage.levels == 0 && wish.needs_refined ? kAllLevels : document.stage.levels;
-  if (control_ == document.control && submitted_levels_ == levels &&
+  const std::optional<SchemeSettings> scheme =
+      wish.other ? wish.other->scheme : shown_scheme(document);
+  int levels = wish.other ? wish.other->levels : document.stage.levels;
+  if (levels == 0 && wish.needs_refined && !scheme) {
+    levels = kAllLevels;
+  }
+  if (control_ == document.control && submitted_scheme_ == scheme && submitted_levels_ == levels &&
       same(submitted_, document.revisions)) {
     return;
   }
@@ -40,8 +62,9 @@ void LiveRefinement::follow(const Document& document, const Wish& wish) {
   }
   control_ = document.control;
   submitted_ = document.revisions;
+  submitted_scheme_ = scheme;
   submitted_levels_ = levels;
-  job_.submit({++serial_, document.control, document.depths, document.settings, levels,
+  job_.submit({++serial_, document.control, document.depths, document.settings, scheme, levels,
                std::max(budget_, raised_budget_)});
 }
 
@@ -57,7 +80,7 @@ bool LiveRefinement::update() {
   if (!result->is_over_budget) {
     is_silenced_ = false;
   }
-  if (result->refinement) {
+  if (result->mesh) {
     set_refined(result);
   } else if (result->is_final && !result->is_over_budget) {
     set_refined(nullptr);
@@ -123,17 +146,7 @@ ui::RefinementStatus LiveRefinement::status() const {
                            labels.raised_vertices.size(), newest_->illegal_left};
   }
   if (refined_) {
-    const Refinement& refinement = *refined_->refinement;
-    ui::RefinementResult result;
-    result.faces = refinement.mesh->face_count();
-    result.vertices = refinement.mesh->vertex_count();
-    result.bytes = refinement.mesh->bytes();
-    result.uniform_faces = refinement.prediction.uniform_faces;
-    result.levels = refinement.prediction.levels;
-    result.legalise_seconds = refined_->labels->seconds;
-    result.refine_seconds = refinement.refine_seconds;
-    result.cracks = &refinement.cracks;
-    status.result = result;
+    status.result = result_of(*refined_);
   }
   return status;
 }

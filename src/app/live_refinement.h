@@ -24,6 +24,12 @@ class LiveRefinement {
   struct Wish {
     bool is_stroking = false;    ///< Wait for what runs instead of starting over at every dab.
     bool needs_refined = false;  ///< Refine to the end even at stage 0, for an export.
+    /// This scheme and level instead of what the document shows.
+    struct Other {
+      SchemeSettings scheme;
+      int levels = 0;
+    };
+    std::optional<Other> other{};
   };
   /// Starts over where the document is not what was last worked on.
   void follow(const Document& document, const Wish& wish);
@@ -73,6 +79,7 @@ class LiveRefinement {
 
   std::shared_ptr<const ControlMesh> control_;  ///< What was last submitted.
   Revisions submitted_;
+  std::optional<SchemeSettings> submitted_scheme_;
   int submitted_levels_ = -1;  ///< -1: submit at the next opportunity.
   std::uint64_t serial_ = 0;
 

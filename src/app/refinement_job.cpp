@@ -18,6 +18,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportInterval = std::chrono::milliseconds(40);
 
+/// What a uniform scheme will give. There is nothing to compare it with.
+RefinementPrediction predict_uniform(const ControlMesh& control, const SchemeSettings& settings,
+                                     int levels) {
+  const SchemeCounts counts = predict_scheme(control, settings, levels).back();
+  RefinementPrediction prediction;
+  prediction.faces = counts.faces;
+  prediction.vertices = counts.vertices;
+  prediction.edges = counts.edges;
+  prediction.bytes = scheme_bytes(counts);
+  prediction.levels = levels;
+  return prediction;
+}
+
 }  // namespace
 
 /// Passes progress on to the owner, a few times a second at most, and says when work went stale.
@@ -174,10 +187,13 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   JobResult result;
   result.serial = request.serial;
   result.control = request.control;
+  result.scheme = request.scheme;
   result.labels = std::make_shared<const DerivedLabels>(std::move(*labels));
   const VertexLabels& legal = result.labels->legal.labels;
   result.illegal_left = illegal_faces(control, legal, request.settings.legalisation).size();
-  result.prediction = predict_refinement(control, legal, request.levels);
+  result.prediction = request.scheme && request.levels > 0
+                          ? predict_uniform(control, *request.scheme, request.levels)
+                          : predict_refinement(control, legal, request.levels);
   result.is_over_budget = request.levels > 0 && result.prediction.faces > request.face_budget;
   result.is_final = request.levels == 0 || result.is_over_budget;
   publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
@@ -185,20 +201,36 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
     return;
   }
 
-  auto refinement = source_.derive(
-      control, legal, {request.settings, request.levels, request.face_budget}, progress);
-  if (!refinement) {
-    publish_error(std::move(refinement.error()));
+  if (auto refined = refine(request, result, progress); !refined) {
+    publish_error(std::move(refined.error()));
     return;
   }
-  result.refinement = std::make_shared<const Refinement>(std::move(*refinement));
   if (!progress.report(1.0, "Preparing the picture")) {
     return;
   }
-  result.surface = std::make_shared<const render::Surface>(render::make_surface(
-      *result.refinement->mesh, control.bounds().centre(), control.face_count()));
+  result.surface = std::make_shared<const render::Surface>(
+      render::make_surface(*result.mesh, control.bounds().centre(), control.face_count()));
   result.is_final = true;
   publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
+}
+
+Result<void> RefinementJob::refine(const JobRequest& request, JobResult& result,
+                                   Progress& progress) {
+  const ControlMesh& control = *request.control;
+  if (request.scheme) {
+    return derive_scheme(control, *request.scheme, {request.levels, request.face_budget}, progress)
+        .map([&](SchemeRefinement made) {
+          result.mesh = std::move(made.mesh);
+          result.steps = std::move(made.steps);
+        });
+  }
+  return source_
+      .derive(control, result.labels->legal.labels,
+              {request.settings, request.levels, request.face_budget}, progress)
+      .map([&](Refinement made) {
+        result.refinement = std::make_shared<const Refinement>(std::move(made));
+        result.mesh = result.refinement->mesh;
+      });
 }
 
 }  // namespace limn::app

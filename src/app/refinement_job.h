@@ -10,8 +10,10 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "limn/document/refinement.h"
+#include "limn/document/scheme_refinement.h"
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
 #include "limn/painting/face_depths.h"
@@ -28,7 +30,8 @@ struct JobRequest {
   std::shared_ptr<const ControlMesh> control;
   FaceDepths depths;
   SubdivisionSettings settings;
-  int levels = 0;  ///< 0: labels and their prediction only.
+  std::optional<SchemeSettings> scheme;  ///< Takes the mesh. Nothing: what is painted.
+  int levels = 0;                        ///< 0: labels and their prediction only.
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
 };
 
@@ -38,7 +41,10 @@ struct JobResult {
   std::uint64_t serial = 0;
   std::shared_ptr<const ControlMesh> control;
   std::shared_ptr<const DerivedLabels> labels;
-  std::shared_ptr<const Refinement> refinement;    ///< Null where none was made, or not yet.
+  std::optional<SchemeSettings> scheme;            ///< That was asked for.
+  std::shared_ptr<const RefinedMesh> mesh;         ///< Null where none was made, or not yet.
+  std::shared_ptr<const Refinement> refinement;    ///< Of what is painted; null for a scheme.
+  std::vector<SchemeStep> steps;                   ///< Of a scheme, levels 0..n.
   std::shared_ptr<const render::Surface> surface;  ///< Of the refined mesh, ready for drawing.
   RefinementPrediction prediction;                 ///< For the levels asked for.
   std::size_t illegal_left = 0;  ///< Illegal faces under the legal labels: 0, or it is a bug.
@@ -87,6 +93,9 @@ class RefinementJob {
 
   void work(const std::stop_token& stop);
   void carry_out(const JobRequest& request, const std::stop_token& stop, std::uint64_t ticket);
+  /// Fills in what was asked for after the labels. Errors: those of what makes the mesh.
+  [[nodiscard]] Result<void> refine(const JobRequest& request, JobResult& result,
+                                    Progress& progress);
   /// Publishes a result unless a newer request has come in.
   template <class Publish>
   void publish(std::uint64_t ticket, Publish&& publish_locked);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "limn/document/project_file.h"
 #include "limn/error.h"
 
 namespace CLI {
@@ -16,6 +17,8 @@ struct WindowOptions {
   /// Where the state of the window is written as JSON whenever it comes to rest, for tests that
   /// drive it from outside; empty: nowhere.
   std::string status_file;
+  /// For a course: its keys, and the panel of schemes unfolded. Neither is kept for the next run.
+  bool is_classroom = false;
 };
 
 /// Adds the positional argument MESH and the window's flags.
@@ -25,5 +28,7 @@ void add_window_options(CLI::App& program, WindowOptions& options);
 /// Errors: kBadInput where the input cannot be opened; then no window opens.
 /// Throws render::EnvironmentError where there is no display or no OpenGL 4.5.
 [[nodiscard]] Result<void> run_window(const WindowOptions& options);
+/// The same with what was opened before; `options.input` is not looked at.
+[[nodiscard]] Result<void> run_window(Project project, const WindowOptions& options);
 
 }  // namespace limn::app

@@ -1,5 +1,5 @@
 // Dispatch, time and the model. The actions themselves are in session_files.cpp,
-// session_painting.cpp and session_view.cpp.
+// session_painting.cpp, session_schemes.cpp and session_view.cpp.
 #include "app/session.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ namespace limn::app {
 using enum ui::ActionId;
 using Kind = ui::Toast::Kind;
 
-Session::Session(SessionHost host) : host_(std::move(host)), refinement_(host_.wake) {
+Session::Session(SessionHost host)
+    : host_(std::move(host)), refinement_(host_.wake), second_(host_.wake), sphere_(host_.wake) {
   LIMN_EXPECTS(host_.wake);
   for (const BundledMesh& mesh : bundled_meshes()) {
     bundled_.emplace_back(mesh.name);
@@ -32,21 +33,31 @@ void Session::perform(const ui::Action& action) {
   const bool is_known = perform_answer(action) || perform_program(action) || perform_file(action) ||
                         perform_edit(action) || perform_rule(action) || perform_creases(action) ||
                         perform_brush(action) || perform_subdivision(action) ||
-                        perform_display(action) || perform_camera(action);
+                        perform_scheme(action) || perform_scheme_choice(action) ||
+                        perform_edge(action) || perform_display(action) || perform_camera(action);
   LIMN_EXPECTS(is_known);
-  facts_.update(document_.control, dihedral_threshold_);
+  update_facts();
 }
 
 bool Session::update(double now) {
   now_ = std::max(now_, now);
   refinement_.follow(document_, {is_stroking(), export_path_.has_value()});
+  follow_second();
   bool has_news = refinement_.update();
-  const bool is_busy = refinement_.is_busy();
+  has_news |= second_.update();
+  if (has_news) {
+    update_facts();
+  }
+  const bool is_busy = this->is_busy();
   has_news |= is_busy || was_busy_;  // The progress bar moves, or goes.
   was_busy_ = is_busy;
   if (auto error = refinement_.take_error()) {
     export_path_.reset();
     show_error("The refinement failed", std::move(*error));
+    has_news = true;
+  }
+  if (auto error = second_.take_error()) {
+    toast(Kind::kProblem, std::move(error->message));
     has_news = true;
   }
   if (const auto question = refinement_.question();
@@ -71,17 +82,18 @@ void Session::finish_refinement() {
   do {
     refinement_.follow(document_, {false, export_path_.has_value()});
     refinement_.wait_until_idle();
-  } while (update(now_) && refinement_.is_busy());
+    follow_second();
+    second_.wait_until_idle();
+  } while (update(now_) && (refinement_.is_busy() || second_.is_busy()));
 }
 
 void Session::show(Project project) {
   stroke_.reset();
-  hover_.reset();
   document_ = std::move(project.document);
   history_.clear();
   history_.mark_saved();
   export_path_.reset();
-  facts_.update(document_.control, dihedral_threshold_);
+  update_facts();
   is_framed_ = project.view.has_value();
   camera_.set(project.view ? *project.view
                            : render::default_view(document_.control->positions(), aspect_));
@@ -110,7 +122,7 @@ void Session::restore(const ui::DisplaySettings& display, ui::KeymapId keymap, d
   brush_.tool = keymap == ui::KeymapId::kClassroom ? ui::Tool::kOrbit : ui::Tool::kPaint;
   brush_.radius = brush_radius;
   dihedral_threshold_ = dihedral_threshold;
-  facts_.update(document_.control, dihedral_threshold_);
+  update_facts();
 }
 
 void Session::execute(std::unique_ptr<Command> command) {
@@ -182,6 +194,9 @@ void Session::cancel() {
     modal_ = std::monostate{};
   } else if (is_stroking()) {
     give_up_stroke();
+  } else if (sphere_.is_busy()) {
+    sphere_.cancel();
+    toast(Kind::kNote, "The comparison was stopped.");
   } else if (refinement_.is_busy()) {
     refinement_.cancel();
     export_path_.reset();
@@ -233,6 +248,11 @@ ui::Model Session::model() const {
     hover =
         ui::HoverInfo{*hover_, document_.depths[*hover_], document_.control->face(*hover_).size()};
   }
+  std::optional<ui::EdgeHover> hover_edge;
+  if (hover_edge_) {
+    hover_edge =
+        ui::EdgeHover{*hover_edge_, document_.control->topology().edge_vertices[*hover_edge_]};
+  }
   return {
       .document = document_,
       .statistics = facts_.statistics(),
@@ -243,13 +263,18 @@ ui::Model Session::model() const {
       .view = camera_.view(),
       .depth_counts = document_.depths.histogram(),
       .crease_counts = facts_.creases(),
+      .valence_counts = valences_.counts(),
       .dihedral_threshold = dihedral_threshold_,
       .dihedral_faces = facts_.dihedral_faces(),
       .dihedral_edges = facts_.dihedral_edges(),
       .crease_sharpness = crease_sharpness_,
       .refinement = refinement_.status(),
+      .scheme = scheme_status(),
+      .second = second_status(),
+      .sphere = sphere_.status(sphere_question()),
       .history = {history_.undo_name(), history_.redo_name(), history_.bytes()},
       .hover = hover,
+      .hover_edge = hover_edge,
       .is_stroking = is_stroking(),
       .frame_seconds = 0.0,
       .bundled_meshes = bundled_,

@@ -14,6 +14,8 @@
 #include "app/camera_motion.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
+#include "app/scheme_facts.h"
+#include "app/sphere_job.h"
 #include "app/toasts.h"
 #include "limn/document/document.h"
 #include "limn/document/history.h"
@@ -67,6 +69,12 @@ class Session {
   [[nodiscard]] const Document& document() const noexcept { return document_; }
   [[nodiscard]] const History& history() const noexcept { return history_; }
   [[nodiscard]] const LiveRefinement& refinement() const noexcept { return refinement_; }
+  /// The scheme in the second half of the viewport; its `refined` is null where that half shows the
+  /// control mesh.
+  [[nodiscard]] const LiveRefinement& second() const noexcept { return second_; }
+  /// Irregular vertices of what either half shows; empty unless they are to be seen.
+  [[nodiscard]] const ShownValences& valences() const noexcept { return valences_; }
+  [[nodiscard]] const ShownValences& second_valences() const noexcept { return second_valences_; }
   [[nodiscard]] const ui::DisplaySettings& display() const noexcept { return display_; }
   [[nodiscard]] const ui::BrushSettings& brush() const noexcept { return brush_; }
   [[nodiscard]] const ui::Modal& modal() const noexcept { return modal_; }
@@ -77,6 +85,13 @@ class Session {
   [[nodiscard]] const std::vector<std::string>& recent_files() const noexcept { return recent_; }
   /// Whether the viewport shows the refined mesh: it is asked for and there is one.
   [[nodiscard]] bool shows_refined() const noexcept;
+  /// Whether the viewport has two halves, and whether the second shows a refined mesh.
+  [[nodiscard]] bool is_split() const noexcept { return display_.second.has_value(); }
+  [[nodiscard]] bool shows_second_refined() const noexcept;
+  /// Whether anything is being worked out on another thread.
+  [[nodiscard]] bool is_busy() const {
+    return refinement_.is_busy() || second_.is_busy() || sphere_.is_busy();
+  }
   /// Blocks until the refined mesh is up to date. For tests and for work without a window.
   void finish_refinement();
 
@@ -95,6 +110,10 @@ class Session {
   /// The control face under the cursor.
   void set_hover(std::optional<std::uint32_t> face) noexcept { hover_ = face; }
   [[nodiscard]] std::optional<std::uint32_t> hover() const noexcept { return hover_; }
+
+  /// The control edge under the cursor, one of the hovered face's.
+  void set_hover_edge(std::optional<std::uint32_t> edge) noexcept { hover_edge_ = edge; }
+  [[nodiscard]] std::optional<std::uint32_t> hover_edge() const noexcept { return hover_edge_; }
 
   /// A brush stroke: painted live, one command when it ends.
   void begin_stroke(DepthChange change);
@@ -119,6 +138,9 @@ class Session {
   bool perform_creases(const ui::Action& action);
   bool perform_brush(const ui::Action& action);
   bool perform_subdivision(const ui::Action& action);
+  bool perform_scheme(const ui::Action& action);  // session_schemes.cpp, as what follows it
+  bool perform_scheme_choice(const ui::Action& action);
+  bool perform_edge(const ui::Action& action);
   bool perform_display(const ui::Action& action);  // session_view.cpp
   bool perform_camera(const ui::Action& action);
 
@@ -143,6 +165,19 @@ class Session {
   void change_settings(const SubdivisionSettings& settings);
   void apply_refined();
 
+  void show_scheme(std::optional<SchemeSettings> scheme);
+  void change_scheme(const SchemeSettings& scheme);
+  void step_to(int level);
+  void edit_edge(Result<std::unique_ptr<Command>> edit);
+  [[nodiscard]] SphereJob::Question sphere_question() const;
+  void compare_with_sphere();
+  /// What follows from document and display: facts, the second half, valences.
+  void update_facts();
+  void follow_second();
+  [[nodiscard]] ui::SchemeStatus scheme_status() const;
+  [[nodiscard]] ui::SecondStatus second_status() const;
+  [[nodiscard]] int second_levels() const noexcept;
+
   void frame_faces(std::span<const std::uint32_t> faces);
   void zoom(double factor);
 
@@ -151,8 +186,14 @@ class Session {
   Document document_;
   History history_;
   LiveRefinement refinement_;
+  LiveRefinement second_;
+  SphereJob sphere_;
   bool was_busy_ = false;  ///< At the last update.
   MeshFacts facts_;
+  SchemeFacts scheme_facts_;
+  SchemeFacts second_facts_;
+  ShownValences valences_;
+  ShownValences second_valences_;
 
   ui::DisplaySettings display_;
   ui::BrushSettings brush_;
@@ -164,6 +205,8 @@ class Session {
   double aspect_ = 1.6;
   bool is_framed_ = true;  ///< False until a new document's default view has met the real aspect.
   std::optional<std::uint32_t> hover_;
+  std::optional<std::uint32_t> hover_edge_;
+  std::shared_ptr<const ControlMesh> known_control_;  ///< At the last `update_facts`.
   std::optional<Stroke> stroke_;
 
   ui::Modal modal_;

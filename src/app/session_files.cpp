@@ -149,6 +149,10 @@ void Session::save(const fs::path& path) {
 void Session::start_export(const fs::path& path) {
   modal_ = std::monostate{};
   end_stroke();
+  if (document_.scheme && document_.stage.levels == 0) {
+    toast(Kind::kNote, "Level 0 is the control mesh itself. Go forward by a level first.");
+    return;
+  }
   std::error_code ignored;
   last_folder_ = fs::absolute(path, ignored).parent_path();
   export_path_ = path;
@@ -161,7 +165,7 @@ void Session::start_export(const fs::path& path) {
 
 void Session::finish_export() {
   const fs::path path = *std::exchange(export_path_, std::nullopt);
-  const RefinedMesh& mesh = *refinement_.refined()->refinement->mesh;
+  const RefinedMesh& mesh = *refinement_.refined()->mesh;
   if (auto written = export_obj(path, mesh, document_.depths.values()); !written) {
     show_error("Cannot write " + path.filename().string(), std::move(written.error()));
     return;

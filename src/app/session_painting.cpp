@@ -115,6 +115,12 @@ bool Session::perform_brush(const ui::Action& action) {
     case kToolOrbit:
       brush_.tool = ui::Tool::kOrbit;
       return true;
+    case kToolSplitEdge:
+      brush_.tool = ui::Tool::kSplitEdge;
+      return true;
+    case kToolFlipEdge:
+      brush_.tool = ui::Tool::kFlipEdge;
+      return true;
     case kBrushAdds:
       brush_.sets_depth = false;
       return true;
@@ -189,10 +195,15 @@ bool Session::perform_subdivision(const ui::Action& action) {
       return true;
     case kSubdivide:
       refinement_.restart();
+      if (document_.scheme) {
+        execute(scheme_command(std::nullopt, {true, kAllLevels}, "subdivide"));
+      }
       set_stage({true, kAllLevels}, "subdivide");
       return true;
     case kSubdivideOneLevel:
-      if (document_.stage.levels == kAllLevels) {
+      if (document_.scheme) {
+        step_to(document_.stage.levels + 1);
+      } else if (document_.stage.levels == kAllLevels) {
         toast(Kind::kNote, "The mesh is subdivided to the end already.");
       } else {
         refinement_.restart();
@@ -252,7 +263,7 @@ bool Session::perform_subdivision(const ui::Action& action) {
 
 void Session::set_stage(Stage stage, std::string name) {
   end_stroke();
-  if (stage.levels > 0 && document_.depths.deepest() == 0) {
+  if (stage.levels > 0 && !document_.scheme && document_.depths.deepest() == 0) {
     toast(Kind::kNote, "Nothing is painted yet. Paint, and the refined mesh follows.");
   }
   if (stage.levels > 0 && display_.show == ui::ShowMode::kControl) {
@@ -281,11 +292,11 @@ void Session::apply_refined() {
     toast(Kind::kNote, "The refined mesh is not ready yet. Apply when it is.");
     return;
   }
-  if (!refined->refinement->cracks.is_watertight()) {
+  if (refined->refinement != nullptr && !refined->refinement->cracks.is_watertight()) {
     toast(Kind::kProblem, "The refined mesh has cracks and cannot become a control mesh.");
     return;
   }
-  execute(replace_control_command(to_control_mesh(*refined->refinement->mesh), "apply"));
+  execute(replace_control_command(to_control_mesh(*refined->mesh), "apply"));
 }
 
 }  // namespace limn::app

@@ -49,6 +49,12 @@ bool Session::perform_display(const ui::Action& action) {
     case kToggleCreases:
       set_or_flip(display_.creases, action);
       return true;
+    case kToggleFaces:
+      set_or_flip(display_.faces, action);
+      return true;
+    case kToggleValences:
+      set_or_flip(display_.valences, action);
+      return true;
     case kThemeDark:
       display_.theme = ui::Theme::kDark;
       return true;

@@ -9,6 +9,7 @@
 #include "app/session.h"
 #include "limn/atomic_file.h"
 #include "limn/mesh/refined_mesh.h"
+#include "ui/scheme_text.h"
 
 namespace limn::app {
 namespace {
@@ -30,10 +31,19 @@ Json refined_json(const Session& session) {
   if (result == nullptr) {
     return nullptr;
   }
-  const Refinement& refinement = *result->refinement;
-  return {{"faces", refinement.mesh->face_count()},
-          {"vertices", refinement.mesh->vertex_count()},
-          {"watertight", refinement.cracks.is_watertight()}};
+  const Refinement* refinement = result->refinement.get();
+  return {{"faces", result->mesh->face_count()},
+          {"vertices", result->mesh->vertex_count()},
+          {"watertight", refinement == nullptr || refinement->cracks.is_watertight()}};
+}
+
+/// The vertices of the edge under the cursor.
+Json hover_edge_json(const Session& session) {
+  if (!session.hover_edge()) {
+    return nullptr;
+  }
+  const auto& ends = session.document().control->topology().edge_vertices[*session.hover_edge()];
+  return {ends[0], ends[1]};
 }
 
 Json matrix_json(const glm::dmat4& matrix) {
@@ -70,12 +80,15 @@ Result<void> write_status_file(const std::filesystem::path& path, const Status& 
       {"depths",
        std::vector<int>(document.depths.values().begin(), document.depths.values().end())},
       {"stage", {{"legalised", document.stage.is_legalised}, {"levels", document.stage.levels}}},
+      {"scheme", document.scheme ? Json(ui::scheme_word(*document.scheme)) : Json(nullptr)},
+      {"control_vertices", document.control->vertex_count()},
       {"undo", session.history().undo_name()},
       {"redo", session.history().redo_name()},
       {"modified", session.history().is_modified()},
-      {"busy", session.refinement().is_busy() || !session.refinement().is_up_to_date()},
+      {"busy", session.is_busy() || !session.refinement().is_up_to_date()},
       {"refined", refined_json(session)},
       {"hover", session.hover() ? Json(*session.hover()) : Json(nullptr)},
+      {"hover_edge", hover_edge_json(session)},
       {"dihedral_threshold", session.dihedral_threshold()},
       {"brush_radius", session.brush().radius},
       {"modal", modal_name(session.modal())},

@@ -8,6 +8,7 @@
 
 #include "app/session.h"
 #include "render/navigation.h"
+#include "render/picking/edge_picking.h"
 
 namespace limn::app {
 namespace {
@@ -17,6 +18,7 @@ using ui::MouseButton;
 constexpr double kDollyPerNotch = 0.87;
 constexpr double kDollyPerHeight = 6.0;  ///< Factor for a drag over the whole height.
 constexpr double kBrushPerNotch = 1.12;
+constexpr double kEdgeReach = 12.0;  // Window units.
 
 }  // namespace
 
@@ -55,10 +57,12 @@ void ViewportController::update(const ui::ViewportInput& input, const ViewportPl
     drag_ = Drag::kIdle;  // Given up by Esc.
   }
   for (const ui::WindowPoint& point : input.path) {
-    move(context, place.to_pixel(point));
+    enter(context, point);
+    move(context, to_pixel(context, point));
   }
   if (input.cursor) {
-    last_ = place.to_pixel(*input.cursor);
+    enter(context, *input.cursor);
+    last_ = to_pixel(context, *input.cursor);
   }
   if (input.button) {
     input.button->is_down ? press(context) : release(context);
@@ -67,6 +71,25 @@ void ViewportController::update(const ui::ViewportInput& input, const ViewportPl
   }
   turn_wheel(context);
   hover(context);
+}
+
+void ViewportController::enter(const Context& context, ui::WindowPoint at) {
+  const ViewportPlace& place = context.place;
+  const bool is_in_second = place.second && at.x >= place.second->x;
+  if (drag_ == Drag::kNone && is_in_second != is_in_second_) {
+    is_in_second_ = is_in_second;
+    last_ = to_pixel(context, at);
+  }
+}
+
+render::FramebufferPoint ViewportController::to_pixel(const Context& context,
+                                                      ui::WindowPoint at) const {
+  const ViewportPlace& place = context.place;
+  if (is_in_second_ && place.second) {
+    at.x += place.rect.origin.x - place.second->x;
+    at.y += place.rect.origin.y - place.second->y;
+  }
+  return place.to_pixel(at);
 }
 
 ViewportController::Drag ViewportController::drag_for(const ui::ViewportInput& input,
@@ -82,7 +105,13 @@ ViewportController::Drag ViewportController::drag_for(const ui::ViewportInput& i
   if (!left) {
     return input.modifiers.shift ? Drag::kPan : Drag::kOrbit;
   }
+  if (is_in_second_) {
+    return input.modifiers.shift ? Drag::kPan : Drag::kOrbit;
+  }
   switch (session.brush().tool) {
+    case ui::Tool::kSplitEdge:
+    case ui::Tool::kFlipEdge:
+      return Drag::kEdge;
     case ui::Tool::kPaint:
     case ui::Tool::kLower:
       return Drag::kStroke;
@@ -115,8 +144,11 @@ void ViewportController::press(const Context& context) {
     case Drag::kPick:
       pick_depth(context, last_);
       break;
+    case Drag::kEdge:
+      take_edge(context);
+      break;
     case Drag::kPan: {
-      const auto grabbed = context.picker.pick(last_);
+      const auto grabbed = pick(context, last_);
       grabbed_depth_ = grabbed ? grabbed->view_depth : context.camera().target_depth;
       break;
     }
@@ -163,14 +195,38 @@ void ViewportController::move(const Context& context, render::FramebufferPoint t
                                      session.document().control->bounds()));
       break;
     }
+    case Drag::kEdge:
     case Drag::kNone:
     case Drag::kIdle:
       break;
   }
 }
 
+std::optional<render::PickedFace> ViewportController::pick(const Context& context,
+                                                           render::FramebufferPoint at) const {
+  return is_in_second_ ? std::nullopt : context.picker.pick(at);
+}
+
+std::optional<std::uint32_t> ViewportController::edge_at(const Context& context, std::uint32_t face,
+                                                         render::FramebufferPoint at) {
+  return render::nearest_edge(*context.session.document().control, context.camera(), face,
+                              {at, kEdgeReach * context.place.density()});
+}
+
+void ViewportController::take_edge(const Context& context) {
+  Session& session = context.session;
+  const auto face = pick(context, last_);
+  const auto edge = face ? edge_at(context, face->control_face, last_) : std::nullopt;
+  session.set_hover(face ? std::optional(face->control_face) : std::nullopt);
+  session.set_hover_edge(edge);
+  if (edge) {
+    session.perform(session.brush().tool == ui::Tool::kSplitEdge ? ui::ActionId::kSplitEdge
+                                                                 : ui::ActionId::kFlipEdge);
+  }
+}
+
 void ViewportController::pick_depth(const Context& context, render::FramebufferPoint at) {
-  if (const auto face = context.picker.pick(at)) {
+  if (const auto face = pick(context, at)) {
     context.session.set_hover(face->control_face);
     context.session.perform(ui::ActionId::kPickDepth);
   }
@@ -188,7 +244,7 @@ void ViewportController::turn_wheel(const Context& context) {
     return;
   }
   const render::Camera camera = context.camera();
-  const auto under_cursor = context.picker.pick(last_);
+  const auto under_cursor = pick(context, last_);
   const glm::dvec3 anchor =
       under_cursor ? under_cursor->position : render::world_at(camera, last_, camera.target_depth);
   session.set_view(render::dolly(session.view(), std::pow(kDollyPerNotch, notches), anchor,
@@ -198,17 +254,25 @@ void ViewportController::turn_wheel(const Context& context) {
 void ViewportController::hover(const Context& context) {
   ring_.reset();
   const bool is_camera = drag_ == Drag::kOrbit || drag_ == Drag::kPan || drag_ == Drag::kDolly;
-  const bool is_here = context.input.is_hovered && context.input.cursor;
+  const bool is_here = context.input.is_hovered && context.input.cursor && !is_in_second_;
+  Session& session = context.session;
   if (!is_here || is_camera || context.input.wheel.y != 0.0) {
     highlighted_.clear();
+    session.set_hover_edge(std::nullopt);
     if (!is_here) {
-      context.session.set_hover(std::nullopt);
+      session.set_hover(std::nullopt);
     }
     return;
   }
+  if (drag_ == Drag::kEdge) {
+    highlighted_.clear();
+    return;  // The edge has been changed, and the picture with it.
+  }
   const auto face = context.picker.pick(last_);
-  context.session.set_hover(face ? std::optional(face->control_face) : std::nullopt);
-  const ui::Tool tool = context.session.brush().tool;
+  session.set_hover(face ? std::optional(face->control_face) : std::nullopt);
+  const ui::Tool tool = session.brush().tool;
+  session.set_hover_edge(face && ui::picks_edges(tool) ? edge_at(context, face->control_face, last_)
+                                                       : std::nullopt);
   if (tool == ui::Tool::kPaint || tool == ui::Tool::kLower) {
     ring_ = Ring{last_, context.brush_radius()};
     highlighted_ = context.picker.brush({last_, last_, context.brush_radius()});

@@ -11,6 +11,7 @@ namespace limn::app {
 namespace {
 
 constexpr float kRingWidth = 1.5F;
+constexpr float kEdgeWidth = 4.0F;
 
 render::DrawSettings draw_settings(const ui::DisplaySettings& display, double scale) {
   render::DrawSettings settings;
@@ -19,9 +20,31 @@ render::DrawSettings draw_settings(const ui::DisplaySettings& display, double sc
       display.theme == ui::Theme::kLight ? render::Theme::kLight : render::Theme::kDark;
   settings.is_lit = display.light;
   settings.has_wireframe = display.wireframe;
+  settings.has_faces = display.faces;
   settings.shows_illegal_faces = display.illegal_marks;
   settings.scale = static_cast<float>(scale);
   return settings;
+}
+
+/// Whether the control mesh's edges lie over the refined mesh: to be seen, or to be aimed at.
+bool has_cage(const Session& session) {
+  return session.display().show == ui::ShowMode::kBoth || ui::picks_edges(session.brush().tool);
+}
+
+/// An edge as a line on the screen; nothing where it runs before the near plane.
+std::optional<render::OverlaySegment> edge_segment(const ControlMesh& mesh, std::uint32_t edge,
+                                                   const render::Camera& camera, double scale) {
+  const auto& ends = mesh.topology().edge_vertices[edge];
+  const auto from = render::project(camera, mesh.positions()[ends[0]]);
+  const auto to = render::project(camera, mesh.positions()[ends[1]]);
+  if (!from || !to) {
+    return std::nullopt;
+  }
+  render::OverlaySegment segment;
+  segment.from = {from->point.x, from->point.y};
+  segment.to = {to->point.x, to->point.y};
+  segment.width = kEdgeWidth * static_cast<float>(scale);
+  return segment;
 }
 
 /// Dots on the illegal vertices alone.
@@ -62,29 +85,66 @@ Result<void> ViewportScene::sync(const Session& session) {
     ++content_;
   }
   control_mesh_ = document.control;
-  if (refined_revision_ != refinement.refined_revision()) {
-    const JobResult* result = refinement.refined();
-    has_refined_ = false;
-    refined_revision_ = refinement.refined_revision();
-    ++content_;
-    if (result != nullptr) {
-      auto uploaded = refined_.upload(*result->surface, refinement.refined_revision() + 1);
-      if (!uploaded) {
-        return uploaded;
-      }
-      refined_creases_.upload(render::crease_lines(*result->refinement->mesh, refined_.origin()));
-      has_refined_ = true;
+  if (auto synced = sync_refined(refinement, refined_); !synced) {
+    return synced;
+  }
+  if (session.is_split()) {
+    if (auto synced = sync_refined(session.second(), second_); !synced) {
+      return synced;
     }
   }
   sync_labels(session);
+  if (session.display().valences) {
+    const auto mesh_of = [](bool is_shown, const LiveRefinement& shown) {
+      return is_shown ? shown.refined()->mesh.get() : nullptr;
+    };
+    sync_dots(session.valences(), *document.control, mesh_of(session.shows_refined(), refinement),
+              valences_);
+    if (session.is_split()) {
+      sync_dots(session.second_valences(), *document.control,
+                mesh_of(session.shows_second_refined(), session.second()), second_valences_);
+    }
+  }
   return {};
+}
+
+Result<void> ViewportScene::sync_refined(const LiveRefinement& refinement, Refined& refined) {
+  if (refined.revision == refinement.refined_revision()) {
+    return {};
+  }
+  refined.is_there = false;
+  refined.revision = refinement.refined_revision();
+  ++content_;
+  if (const JobResult* result = refinement.refined(); result != nullptr) {
+    auto uploaded = refined.surface.upload(*result->surface, *refined.revision + 1);
+    if (!uploaded) {
+      return uploaded;
+    }
+    refined.creases.upload(render::crease_lines(*result->mesh, refined.surface.origin()));
+    refined.is_there = true;
+  }
+  return {};
+}
+
+void ViewportScene::sync_dots(const ShownValences& valences, const ControlMesh& control,
+                              const RefinedMesh* refined, Dots& dots) {
+  if (dots.revision == valences.revision()) {
+    return;
+  }
+  dots.revision = valences.revision();
+  ++content_;
+  const glm::dvec3& origin = control_.origin();
+  dots.markers.upload(refined != nullptr
+                          ? render::valence_markers(*refined, valences.vertices(), origin)
+                          : render::valence_markers(control, valences.vertices(), origin),
+                      *dots.revision);
 }
 
 void ViewportScene::sync_labels(const Session& session) {
   const Document& document = session.document();
   const LiveRefinement& refinement = session.refinement();
   const ui::DisplaySettings& display = session.display();
-  const bool is_on_refined = has_refined_ && session.shows_refined();
+  const bool is_on_refined = refined_.is_there && session.shows_refined();
   const LabelKey key{refinement.labels_revision(),
                      is_on_refined ? refinement.refined_revision() : 0,
                      display.labels,
@@ -115,9 +175,9 @@ void ViewportScene::sync_labels(const Session& session) {
     }
     if (is_on_refined && markers.size() == mesh.vertex_count()) {
       // The refined mesh begins with the control mesh's vertices, moved.
-      const RefinedMesh& refined = *refinement.refined()->refinement->mesh;
+      const RefinedMesh& refined = *refinement.refined()->mesh;
       for (std::size_t v = 0; v < markers.size(); ++v) {
-        markers[v].position = glm::vec3(refined.position(v) - refined_.origin());
+        markers[v].position = glm::vec3(refined.position(v) - refined_.surface.origin());
       }
     }
   }
@@ -130,39 +190,70 @@ render::Camera ViewportScene::camera(const Session& session, render::Framebuffer
 }
 
 const render::SurfaceBuffers& ViewportScene::surface(const Session& session) const {
-  return has_refined_ && session.shows_refined() ? refined_ : control_;
+  return refined_.is_there && session.shows_refined() ? refined_.surface : control_;
+}
+
+render::Scene ViewportScene::scene_of(const Session& session, const Refined* refined,
+                                      const Dots& dots) const {
+  render::Scene scene;
+  scene.surface = refined != nullptr ? &refined->surface : &control_;
+  scene.paint = &paint_;
+  scene.cage = refined != nullptr && has_cage(session) ? &control_ : nullptr;
+  if (session.display().creases) {
+    scene.creases = refined != nullptr ? &refined->creases : &control_creases_;
+    scene.cage_creases = scene.cage != nullptr ? &control_creases_ : nullptr;
+  }
+  if (session.display().valences && dots.markers.count() > 0) {
+    scene.valences = &dots.markers;
+  }
+  return scene;
 }
 
 void ViewportScene::draw(const Session& session, render::FramebufferSize size,
                          const ViewportLook& look) {
-  const bool shows_refined = has_refined_ && session.shows_refined();
-  Shown wanted{session.view(),    size,
-               session.display(), look.scale,
-               shows_refined,     content_,
-               look.ring,         {look.highlighted.begin(), look.highlighted.end()}};
+  const bool shows_refined = refined_.is_there && session.shows_refined();
+  const bool shows_second = second_.is_there && session.shows_second_refined();
+  Shown wanted{session.view(),
+               size,
+               session.display(),
+               look.scale,
+               shows_refined,
+               shows_second,
+               content_,
+               look.ring,
+               {look.highlighted.begin(), look.highlighted.end()},
+               look.edge,
+               has_cage(session)};
   if (shown_ == wanted) {
     return;
   }
   if (!shown_ || shown_->highlighted != wanted.highlighted || shown_->content != wanted.content) {
     paint_.set_highlighted(look.highlighted);
   }
-  target_.resize({size.width, size.height});
-  render::Scene scene;
-  scene.surface = shows_refined ? &refined_ : &control_;
-  scene.paint = &paint_;
-  scene.cage = shows_refined && session.display().show == ui::ShowMode::kBoth ? &control_ : nullptr;
-  if (session.display().creases) {
-    scene.creases = shows_refined ? &refined_creases_ : &control_creases_;
-    scene.cage_creases = scene.cage != nullptr ? &control_creases_ : nullptr;
+  const render::Camera seen = camera(session, size);
+  const render::DrawSettings settings = draw_settings(session.display(), look.scale);
+  if (session.is_split()) {
+    second_target_.resize({size.width, size.height});
+    renderer_.draw(second_target_, seen,
+                   scene_of(session, shows_second ? &second_ : nullptr, second_valences_),
+                   settings);
   }
+  target_.resize({size.width, size.height});
+  render::Scene scene = scene_of(session, shows_refined ? &refined_ : nullptr, valences_);
   scene.markers = markers_.count() > 0 ? &markers_ : nullptr;
   if (look.ring) {
     scene.ring = render::OverlayRing{{look.ring->centre.x, look.ring->centre.y},
                                      static_cast<float>(look.ring->radius),
                                      kRingWidth * static_cast<float>(look.scale)};
   }
-  renderer_.draw(target_, camera(session, size), scene,
-                 draw_settings(session.display(), look.scale));
+  std::optional<render::OverlaySegment> segment;
+  if (look.edge) {
+    segment = edge_segment(*session.document().control, *look.edge, seen, look.scale);
+  }
+  if (segment) {
+    scene.segments = {&*segment, 1};
+  }
+  renderer_.draw(target_, seen, scene, settings);
   shown_ = std::move(wanted);
 }
 

@@ -21,12 +21,15 @@
 
 namespace limn::app {
 
+class LiveRefinement;
 class Session;
+class ShownValences;
 
 /// What a viewport needs beside the session to be drawn.
 struct ViewportLook {
   std::optional<ViewportController::Ring> ring;
   std::span<const std::uint32_t> highlighted;  ///< Control faces.
+  std::optional<std::uint32_t> edge;           ///< A control edge that lights up.
   double scale = 1.0;                          ///< Pixels per unit of the interface.
 };
 
@@ -44,10 +47,17 @@ class ViewportScene {
   /// The camera of the session's view for an image of this size.
   [[nodiscard]] static render::Camera camera(const Session& session, render::FramebufferSize size);
 
-  /// Draws into an image of its own of the camera's size, unless that is what it shows already.
+  /// Draws into an image of its own of this size, unless that is what it shows already; where the
+  /// viewport is split, into one of that size for each half.
   void draw(const Session& session, render::FramebufferSize size, const ViewportLook& look);
-  /// Copies the image into the window's framebuffer, its lower left corner at this pixel.
-  void present(glm::ivec2 lower_left) const { target_.resolve_to(0, lower_left); }
+  /// Copies the image into a framebuffer (0: the window's), its lower left corner at this pixel.
+  void present(glm::ivec2 lower_left, GLuint framebuffer = 0) const {
+    target_.resolve_to(framebuffer, lower_left);
+  }
+  /// The same with that of the second half.
+  void present_second(glm::ivec2 lower_left, GLuint framebuffer = 0) const {
+    second_target_.resolve_to(framebuffer, lower_left);
+  }
 
   [[nodiscard]] std::optional<render::PickedFace> pick(const Session& session,
                                                        render::FramebufferSize size,
@@ -66,31 +76,54 @@ class ViewportScene {
     ui::DisplaySettings display;
     double scale = 0.0;
     bool shows_refined = false;
+    bool shows_second_refined = false;
     std::uint64_t content = 0;
     std::optional<ViewportController::Ring> ring;
     std::vector<std::uint32_t> highlighted;
+    std::optional<std::uint32_t> edge;
+    bool has_cage = false;
 
     [[nodiscard]] bool operator==(const Shown&) const = default;
   };
 
+  /// A refined mesh, and what was last uploaded of it.
+  struct Refined {
+    render::SurfaceBuffers surface;
+    render::CreaseBuffers creases;
+    std::optional<std::uint64_t> revision;
+    bool is_there = false;
+  };
+  /// Irregular vertices of what is shown.
+  struct Dots {
+    render::MarkerBuffers markers;
+    std::optional<std::uint64_t> revision;
+  };
+
+  [[nodiscard]] Result<void> sync_refined(const LiveRefinement& refinement, Refined& refined);
   void sync_labels(const Session& session);
+  void sync_dots(const ShownValences& valences, const ControlMesh& control,
+                 const RefinedMesh* refined, Dots& dots);
+  /// What both halves have in common.
+  [[nodiscard]] render::Scene scene_of(const Session& session, const Refined* refined,
+                                       const Dots& dots) const;
   [[nodiscard]] const render::SurfaceBuffers& surface(const Session& session) const;
 
   render::SurfaceBuffers control_;
-  render::SurfaceBuffers refined_;
+  Refined refined_;
+  Refined second_;
   render::CreaseBuffers control_creases_;
-  render::CreaseBuffers refined_creases_;
   render::FacePaint paint_;
   render::MarkerBuffers markers_;
+  Dots valences_;
+  Dots second_valences_;
   render::MeshRenderer renderer_;
   render::FacePicker picker_;
   render::RenderTarget target_;
+  render::RenderTarget second_target_;
 
   std::shared_ptr<const ControlMesh> control_mesh_;  ///< What `control_` holds.
   std::uint64_t control_revision_ = 0;               ///< Ours: counts uploads.
   std::optional<std::uint64_t> depths_revision_;
-  std::optional<std::uint64_t> refined_revision_;
-  bool has_refined_ = false;
 
   struct LabelKey {
     std::uint64_t labels = 0;

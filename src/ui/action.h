@@ -45,6 +45,8 @@ enum class ActionId : std::uint8_t {
   kToolLower,
   kToolPick,
   kToolOrbit,
+  kToolSplitEdge,
+  kToolFlipEdge,
 
   // Brush
   kBrushAdds,       ///< The brush adds 1.
@@ -72,6 +74,23 @@ enum class ActionId : std::uint8_t {
   kTextureSmoothInside,
   kTextureLinear,
 
+  // Edges of triangle meshes
+  kSplitEdge,  ///< The edge under the cursor.
+  kFlipEdge,   ///< The edge under the cursor.
+
+  // Uniform schemes. Their texts are those of scheme_text.h.
+  kSetScheme,       ///< std::string scheme to show; empty: what is painted.
+  kSetSchemeLevel,  ///< int, 0..kMostSchemeLevels.
+  kSchemeForward,   ///< One level more.
+  kSchemeBack,      ///< One level less.
+  kLoopOriginal,
+  kLoopWarren,
+  kLinearSplits,
+  kLinearAverages,
+  kMakeFit,          ///< The control mesh becomes one that the scheme takes.
+  kSetSecondScheme,  ///< std::string scheme to show beside; empty: none.
+  kCompareSphere,    ///< Every level of the scheme against its least-squares sphere.
+
   // Display
   kShowControl,
   kShowRefined,
@@ -82,6 +101,8 @@ enum class ActionId : std::uint8_t {
   kToggleLabels,
   kToggleIllegalMarks,
   kToggleCreases,
+  kToggleFaces,
+  kToggleValences,
   kThemeDark,
   kThemeLight,
 

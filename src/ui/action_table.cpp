@@ -55,6 +55,13 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "A click makes the depth of the face under the cursor the target depth."},
     {kToolOrbit, kCamera, kNothing, "Orbit tool",
      "Left drag turns the view. The middle button does so with every tool."},
+    {kToolSplitEdge, kEdges, kNothing, "Split edge tool",
+     "A click puts a vertex in the middle of the edge under the cursor and joins it to the "
+     "vertices "
+     "opposite. For triangles."},
+    {kToolFlipEdge, kEdges, kNothing, "Flip edge tool",
+     "A click turns the edge under the cursor: it then joins the other two vertices of its two "
+     "triangles."},
 
     {kBrushAdds, kPaint, kNothing, "Brush adds 1",
      "The brush raises each face by 1, once a stroke."},
@@ -114,6 +121,37 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "at "
      "the edges of the control mesh."},
 
+    {kSplitEdge, kEdges, kNothing, "Split this edge",
+     "Put a vertex in the middle of the edge under the cursor, whichever tool of the two for edges "
+     "is taken up."},
+    {kFlipEdge, kEdges, kNothing, "Flip this edge",
+     "Turn the edge under the cursor, whichever tool of the two for edges is taken up."},
+
+    {kSetScheme, kSchemes, ValueKind::kText, "Scheme",
+     "The subdivision scheme to see at work: as painted, or one that subdivides every face at "
+     "every level."},
+    {kSetSchemeLevel, kSchemes, ValueKind::kInt, "Level", "Show this level of the scheme."},
+    {kSchemeForward, kSchemes, kNothing, "Forward", "Subdivide every face once more."},
+    {kSchemeBack, kSchemes, kNothing, "Back", "Go back by one level."},
+    {kLoopOriginal, kSchemes, kNothing, "Original weights",
+     "With n neighbours, each counts for (5/8 - (3/8 + cos(2 pi / n) / 4)^2) / n (Loop 1987)."},
+    {kLoopWarren, kSchemes, kNothing, "Warren's weights",
+     "With n neighbours, each counts for 3 / (8 n), and for 3/16 where there are three (Warren "
+     "1995)."},
+    {kLinearSplits, kSchemes, kNothing, "Split only",
+     "New vertices lie in the middles of edges and faces; nothing moves."},
+    {kLinearAverages, kSchemes, kNothing, "Then average",
+     "After each split every vertex goes to the mean of the centroids of the faces around it."},
+    {kMakeFit, kSchemes, kNothing, "Make the mesh fit",
+     "Change the control mesh into one that the scheme takes: triangles by cutting its faces along "
+     "short diagonals, quads by one step of Catmull-Clark. Can be undone."},
+    {kSetSecondScheme, kSchemes, ValueKind::kText, "Beside it",
+     "Show another scheme at the same level in the second half of the view. Both halves move "
+     "together."},
+    {kCompareSphere, kSchemes, kNothing, "Compare with a sphere",
+     "Fit a sphere to the vertices of each level by least squares, and show how far they are from "
+     "it. Loop is compared with both its weights."},
+
     {kShowControl, kDisplay, kNothing, "Show control mesh",
      "Show the mesh you paint, coloured by depth."},
     {kShowRefined, kDisplay, kNothing, "Show refined mesh",
@@ -133,6 +171,11 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kToggleCreases, kDisplay, ValueKind::kToggle, "Creases",
      "Draw sharp edges as lines and sharp vertices as dots, the lighter and wider the sharper. On "
      "the refined mesh what is still sharp is drawn."},
+    {kToggleFaces, kDisplay, ValueKind::kToggle, "Faces",
+     "Fill the faces. Without them the edges alone are drawn, and one sees through the mesh."},
+    {kToggleValences, kDisplay, ValueKind::kToggle, "Irregular vertices",
+     "Mark the vertices that have not as many edges as in a regular grid (6 among triangles, "
+     "otherwise 4), with that number."},
     {kThemeDark, kDisplay, kNothing, "Dark theme", "Light text on a dark ground."},
     {kThemeLight, kDisplay, kNothing, "Light theme", "Dark text on a light ground."},
 
@@ -199,6 +242,10 @@ std::string_view heading(ActionGroup group) noexcept {
       return "Paint";
     case kRefine:
       return "Subdivide";
+    case kSchemes:
+      return "Schemes";
+    case kEdges:
+      return "Edges";
     case kDisplay:
       return "Display";
     case kCamera:

@@ -24,6 +24,8 @@ enum class ActionGroup : std::uint8_t {
   kEdit,
   kPaint,
   kRefine,
+  kSchemes,
+  kEdges,
   kDisplay,
   kCamera,
   kProgram,

@@ -6,8 +6,17 @@
 
 #include "limn/document/document.h"
 #include "limn/mesh/statistics.h"
+#include "ui/scheme_text.h"
 
 namespace limn::ui {
+namespace {
+
+/// As kSetScheme and kSetSecondScheme name it.
+std::string word_of(const std::optional<SchemeSettings>& settings) {
+  return settings ? scheme_word(*settings) : std::string();
+}
+
+}  // namespace
 
 bool is_available(const Model& model, const Action& action) {
   const Document& document = model.document;
@@ -36,6 +45,25 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kTextureSmoothInside:
     case ActionId::kTextureLinear:
       return model.statistics.uv_points > 0;
+    case ActionId::kSplitEdge:
+    case ActionId::kFlipEdge:
+      return model.hover_edge.has_value();
+    case ActionId::kSchemeForward:
+      return document.scheme && !model.scheme.misfit && document.stage.levels < kMostSchemeLevels;
+    case ActionId::kSchemeBack:
+      return document.scheme && document.stage.levels > 0;
+    case ActionId::kSetSchemeLevel:
+      return document.scheme && !model.scheme.misfit;
+    case ActionId::kLoopOriginal:
+    case ActionId::kLoopWarren:
+      return document.scheme && document.scheme->scheme == Scheme::kLoop;
+    case ActionId::kLinearSplits:
+    case ActionId::kLinearAverages:
+      return document.scheme && document.scheme->scheme == Scheme::kLinear;
+    case ActionId::kMakeFit:
+      return document.scheme && model.scheme.misfit && model.scheme.misfit->fitting;
+    case ActionId::kCompareSphere:
+      return document.scheme && !model.scheme.misfit && !model.sphere.running;
     case ActionId::kPickDepth:
     case ActionId::kFrameHovered:
       return model.hover.has_value();
@@ -62,6 +90,24 @@ bool is_checked(const Model& model, const Action& action) {
       return model.brush.tool == Tool::kPick;
     case ActionId::kToolOrbit:
       return model.brush.tool == Tool::kOrbit;
+    case ActionId::kToolSplitEdge:
+      return model.brush.tool == Tool::kSplitEdge;
+    case ActionId::kToolFlipEdge:
+      return model.brush.tool == Tool::kFlipEdge;
+    case ActionId::kSetScheme:
+      return action.value == ActionValue(word_of(model.document.scheme));
+    case ActionId::kSetSecondScheme:
+      return action.value == ActionValue(word_of(display.second));
+    case ActionId::kSetSchemeLevel:
+      return action.value == ActionValue(model.document.stage.levels);
+    case ActionId::kLoopOriginal:
+      return model.document.scheme && model.document.scheme->weights == LoopWeights::kOriginal;
+    case ActionId::kLoopWarren:
+      return model.document.scheme && model.document.scheme->weights == LoopWeights::kWarren;
+    case ActionId::kLinearSplits:
+      return model.document.scheme && !model.document.scheme->averages;
+    case ActionId::kLinearAverages:
+      return model.document.scheme && model.document.scheme->averages;
     case ActionId::kBrushAdds:
       return !model.brush.sets_depth;
     case ActionId::kBrushSets:
@@ -106,6 +152,10 @@ bool is_checked(const Model& model, const Action& action) {
       return display.illegal_marks;
     case ActionId::kToggleCreases:
       return display.creases;
+    case ActionId::kToggleFaces:
+      return display.faces;
+    case ActionId::kToggleValences:
+      return display.valences;
     case ActionId::kThemeDark:
       return display.theme == Theme::kDark;
     case ActionId::kThemeLight:

@@ -12,9 +12,9 @@ void draw_display_section(PanelContext& context) {
   using enum ActionId;
   action_choice(context, std::array{Choice{kShowControl, "Control"},
                                     Choice{kShowRefined, "Refined"}, Choice{kShowBoth, "Both"}});
-  constexpr std::array<ActionId, 7> kToggles{
-      kToggleWireframe,    kToggleSmooth,  kToggleLight,       kToggleLabels,
-      kToggleIllegalMarks, kToggleCreases, kToggleOrthographic};
+  constexpr std::array<ActionId, 9> kToggles{
+      kToggleFaces,  kToggleWireframe,    kToggleSmooth,  kToggleLight,       kToggleValences,
+      kToggleLabels, kToggleIllegalMarks, kToggleCreases, kToggleOrthographic};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), context.px(2)});
   const float width = std::floor((room() - context.px(8)) / 2.0F);
   for (std::size_t i = 0; i < kToggles.size(); ++i) {

@@ -39,6 +39,9 @@ std::string bytes_text(std::uint64_t bytes) {
 }
 
 std::string seconds_text(double seconds) {
+  if (seconds < 0.00009995) {
+    return fmt::format("{:.0f} µs", seconds * 1.0e6);
+  }
   if (seconds < 0.00995) {
     return fmt::format("{:.1f} ms", seconds * 1000.0);
   }

@@ -22,7 +22,7 @@ template <std::signed_integral T>
 /// "812 B", "1.4 MB": three figures at most, units of 1000.
 [[nodiscard]] std::string bytes_text(std::uint64_t bytes);
 
-/// "0.4 ms", "12 ms", "3.2 s".
+/// "16 µs", "0.4 ms", "12 ms", "3.2 s".
 [[nodiscard]] std::string seconds_text(double seconds);
 
 /// part / whole as "31 %"; "0.4 %" under one; "–" where whole is 0.

@@ -65,6 +65,22 @@ void dropper(const Pen& pen) {
   pen.stroke({{2.4F, -2.4F}, {4.6F, -6.2F}, {6.2F, -6.2F}, {6.2F, -4.6F}}, true);
 }
 
+/// Two triangles with their common edge upright, and a dot in its middle.
+void split_edge(const Pen& pen) {
+  pen.stroke({{0.0F, -7.6F}, {7.4F, 0.0F}, {0.0F, 7.6F}, {-7.4F, 0.0F}}, true);
+  pen.stroke({{0.0F, -7.6F}, {0.0F, 7.6F}});
+  pen.list.AddCircleFilled(pen.at(0.0F, 0.0F), 2.6F * pen.grid, pen.colour);
+}
+
+/// Two triangles with their common edge lying, and where it was as dots.
+void flip_edge(const Pen& pen) {
+  pen.stroke({{0.0F, -7.6F}, {7.4F, 0.0F}, {0.0F, 7.6F}, {-7.4F, 0.0F}}, true);
+  pen.stroke({{-7.4F, 0.0F}, {7.4F, 0.0F}});
+  for (const float y : {-4.4F, 4.4F}) {
+    pen.list.AddCircleFilled(pen.at(0.0F, y), 1.1F * pen.grid, pen.colour);
+  }
+}
+
 void frame(const Pen& pen) {
   for (const float x : {-1.0F, 1.0F}) {
     for (const float y : {-1.0F, 1.0F}) {
@@ -96,6 +112,12 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
       break;
     case Icon::kOrbit:
       orbit(pen);
+      break;
+    case Icon::kSplitEdge:
+      split_edge(pen);
+      break;
+    case Icon::kFlipEdge:
+      flip_edge(pen);
       break;
     case Icon::kUndo:
       bent_arrow(pen, 1.0F);

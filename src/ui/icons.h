@@ -12,6 +12,8 @@ enum class Icon : std::uint8_t {
   kRingMinus,
   kDropper,
   kOrbit,
+  kSplitEdge,
+  kFlipEdge,
   kUndo,
   kRedo,
   kFrame,

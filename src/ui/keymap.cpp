@@ -108,6 +108,10 @@ std::vector<Binding> shared_bindings() {
       {{Key::kP, kShift}, kToolLower},
       {{Key::kI, kShift}, kToolPick},
       {{Key::kV, kPlain}, kToolOrbit},
+      {{Key::kD, kShift}, kToolSplitEdge},
+      {{Key::kF, kShift}, kToolFlipEdge},
+      {{Key::kD, kPlain}, kSplitEdge},
+      {{Key::kG, kPlain}, kFlipEdge},
       {{Key::kEqual, kShift}, kBrushAdds},
       {{Key::kEqual, kPlain}, kBrushSets},
       {{Key::kI, kPlain}, kPickDepth},
@@ -123,6 +127,9 @@ std::vector<Binding> shared_bindings() {
       {{Key::kN, kPlain}, kToggleLabels},
       {{Key::kM, kPlain}, kToggleIllegalMarks},
       {{Key::kM, kShift}, kToggleCreases},
+      {{Key::kN, kShift}, kToggleValences},
+      {{Key::kRightArrow, kPlain}, kSchemeForward},
+      {{Key::kLeftArrow, kPlain}, kSchemeBack},
       {{Key::kJ, kShift}, kCreaseDihedral},
 
       {{Key::kHome, kPlain}, kFrameAll},
@@ -166,6 +173,7 @@ std::vector<Binding> make_original() {
                             {{Key::kS, kPlain}, kRemoveIllegal},
                             {{Key::kT, kPlain}, kToggleSmooth},
                             {{Key::kW, kPlain}, kToggleWireframe},
+                            {{Key::kW, kShift}, kToggleFaces},
                         });
   return all;
 }
@@ -178,6 +186,7 @@ std::vector<Binding> make_classroom() {
                             {{Key::kX, kPlain}, kSubdivideOneLevel},
                             {{Key::kR, kPlain}, kRemoveIllegal},
                             {{Key::kS, kPlain}, kToggleSmooth},
+                            {{Key::kF, kPlain}, kToggleFaces},
                             {{Key::kE, kPlain}, kToggleWireframe},
                             {{Key::kW, kPlain}, kToggleWireframe},
                         });

@@ -26,6 +26,10 @@ float crease_legend_width(const LegendLook& look) {
   return 168.0F * look.unit;
 }
 
+float valence_legend_width(const LegendLook& look) {
+  return 196.0F * look.unit;
+}
+
 /// Draws the lines of one legend, from the upper left corner of the box on.
 class Lines {
  public:
@@ -133,6 +137,27 @@ void draw_crease_legend(ImDrawList& list, const LegendLook& look, const CreaseCo
     list.AddLine({low.x, middle}, {high.x, middle},
                  IM_COL32(colour.red, colour.green, colour.blue, 0xFF), 3.5F * look.unit);
     lines.text(sharpness_band_name(band), counts[band]);
+  }
+}
+
+bool has_valences(const ValenceCounts& counts) noexcept {
+  return std::any_of(counts.begin(), counts.end(), [](std::size_t count) { return count > 0; });
+}
+
+WindowSize valence_legend_size(const LegendLook& look) {
+  return size_of(look, valence_legend_width(look), static_cast<int>(kValenceBands) + 1);
+}
+
+void draw_valence_legend(ImDrawList& list, const LegendLook& look, const ValenceCounts& counts,
+                         ImVec2 origin) {
+  Lines lines(list, look, origin, valence_legend_size(look));
+  lines.title("Edges at a vertex");
+  for (std::size_t band = 0; band < kValenceBands; ++band) {
+    const auto [low, high] = lines.swatch();
+    const Rgb colour = valence_palette()[band];
+    list.AddCircleFilled({(low.x + high.x) / 2.0F, (low.y + high.y) / 2.0F}, 6.5F * look.unit,
+                         IM_COL32(colour.red, colour.green, colour.blue, 0xFF));
+    lines.text(valence_band_name(band), counts[band]);
   }
 }
 

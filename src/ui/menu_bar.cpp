@@ -5,6 +5,7 @@
 
 #include "limn/document/document.h"
 #include "ui/panels.h"
+#include "ui/scheme_text.h"
 #include "ui/widgets.h"
 
 namespace limn::ui {
@@ -65,7 +66,7 @@ void edit_menu(PanelContext& context) {
   items(context, {kRaiseAll, kLowerAll, kZeroAll, kRaiseVisible, kRaiseDihedral, kCreaseDihedral,
                   kClearCreases});
   ImGui::Separator();
-  items(context, {kToolPaint, kToolLower, kToolPick, kToolOrbit});
+  items(context, {kToolPaint, kToolLower, kToolPick, kToolOrbit, kToolSplitEdge, kToolFlipEdge});
   ImGui::Separator();
   items(context, {kBrushAdds, kBrushSets, kPickDepth, kBrushBigger, kBrushSmaller});
   ImGui::EndMenu();
@@ -77,8 +78,8 @@ void view_menu(PanelContext& context) {
   }
   items(context, {kShowControl, kShowRefined, kShowBoth});
   ImGui::Separator();
-  items(context, {kToggleWireframe, kToggleSmooth, kToggleLight, kToggleLabels, kToggleIllegalMarks,
-                  kToggleCreases});
+  items(context, {kToggleFaces, kToggleWireframe, kToggleSmooth, kToggleLight, kToggleLabels,
+                  kToggleIllegalMarks, kToggleCreases, kToggleValences});
   ImGui::Separator();
   items(context, {kFrameAll, kFramePainted, kFrameHovered, kZoomIn, kZoomOut});
   ImGui::Separator();
@@ -115,6 +116,15 @@ void mesh_menu(PanelContext& context) {
     items(context, {kTextureSmoothInside, kTextureLinear});
     ImGui::EndMenu();
   }
+  ImGui::Separator();
+  if (begin_menu(context, "Scheme")) {
+    action_menu_item(context, Action(kSetScheme, std::string()), "As painted");
+    for (const SchemeSettings& settings : scheme_variants()) {
+      action_menu_item(context, Action(kSetScheme, scheme_word(settings)), scheme_title(settings));
+    }
+    ImGui::EndMenu();
+  }
+  items(context, {kSchemeForward, kSchemeBack, kMakeFit, kCompareSphere});
   ImGui::Separator();
   items(context, {kApply, kRevert});
   ImGui::EndMenu();

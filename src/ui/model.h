@@ -9,9 +9,12 @@
 #include <variant>
 #include <vector>
 
+#include "limn/comparison/sphere_fit.h"
+#include "limn/document/scheme_refinement.h"
 #include "limn/document/view_state.h"
 #include "limn/error.h"
 #include "limn/painting/crease_palette.h"
+#include "limn/painting/valence_palette.h"
 #include "limn/subdivision/settings.h"
 
 namespace limn {
@@ -44,13 +47,22 @@ struct DisplaySettings {
   bool labels = false;         ///< Vertex labels as numbered points.
   bool illegal_marks = false;  ///< Illegal faces hatched, illegal vertices as dots.
   bool creases = true;         ///< Sharp edges and vertices, coloured by sharpness.
+  bool faces = true;           ///< Otherwise the edges alone, as far as there is a wireframe.
+  bool valences = false;       ///< Irregular vertices as dots with their valence.
+  std::optional<SchemeSettings> second{};  ///< A uniform scheme beside what the document shows.
 
   [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
 };
 
-/// What a plain left drag in the viewport does. Shift or Ctrl turns kPaint into lowering by 1; Alt
-/// and the other buttons move the camera whatever the tool.
-enum class Tool : std::uint8_t { kPaint, kLower, kPick, kOrbit };
+/// What a plain left drag in the viewport does; kSplitEdge and kFlipEdge act on a click. Shift or
+/// Ctrl turns kPaint into lowering by 1; Alt and the other buttons move the camera whatever the
+/// tool.
+enum class Tool : std::uint8_t { kPaint, kLower, kPick, kOrbit, kSplitEdge, kFlipEdge };
+
+/// Whether the tool works on the edge nearest to the cursor.
+[[nodiscard]] constexpr bool picks_edges(Tool tool) noexcept {
+  return tool == Tool::kSplitEdge || tool == Tool::kFlipEdge;
+}
 
 inline constexpr double kMinBrushRadius = 2.0;
 inline constexpr double kMaxBrushRadius = 300.0;
@@ -75,8 +87,9 @@ struct RefinementResult {
   std::size_t faces = 0;
   std::size_t vertices = 0;
   std::size_t bytes = 0;
-  std::size_t uniform_faces = 0;  ///< Uniform Catmull-Clark at the same greatest level.
-  int levels = 0;                 ///< Steps made.
+  /// Uniform Catmull-Clark at the same greatest level; 0 for a uniform scheme.
+  std::size_t uniform_faces = 0;
+  int levels = 0;  ///< Steps made.
   double legalise_seconds = 0.0;
   double refine_seconds = 0.0;
   const CrackCheck* cracks = nullptr;  ///< Null where it has not been checked yet.
@@ -97,6 +110,39 @@ struct RefinementStatus {
   std::optional<LegalityStatus> legality;
 };
 
+/// Why a mesh is not one for a scheme, and what would make it so.
+struct SchemeMisfit {
+  std::string reason;
+  std::optional<Fitting> fitting;  ///< Nothing: it is not for the kind of its faces.
+};
+
+/// The uniform scheme of the document, where it has one.
+struct SchemeStatus {
+  std::optional<SchemeMisfit> misfit;
+  /// Of levels 0 to one more than can be shown without asking, at the least; empty at a misfit.
+  std::span<const SchemeCounts> counts{};
+  std::span<const SchemeStep> steps{};  ///< Of the levels made; empty where none are yet.
+};
+
+/// What stands in the second half of the viewport (`DisplaySettings::second`).
+struct SecondStatus {
+  std::optional<SchemeMisfit> misfit;
+  std::optional<std::size_t> faces;  ///< Of the mesh shown; nothing where it is not there yet.
+  int levels = 0;
+  bool is_over_budget = false;  ///< The mesh shown is an older one for that reason.
+};
+
+/// The levels of a scheme held against spheres.
+struct SphereSeries {
+  SchemeSettings settings;
+  std::vector<SphereComparison> rows;
+};
+struct SphereStatus {
+  std::optional<double> running;  ///< 0..1.
+  std::span<const SphereSeries> series{};
+  std::string problem;  ///< Why there is none; empty where nothing went wrong.
+};
+
 struct HistoryStatus {
   std::string undo_name;  ///< Empty where there is nothing to undo.
   std::string redo_name;
@@ -108,6 +154,12 @@ struct HoverInfo {
   std::uint32_t face = 0;
   int depth = 0;
   std::size_t sides = 4;
+};
+
+/// The control edge under the cursor, where the tool is for edges.
+struct EdgeHover {
+  std::uint32_t edge = 0;
+  std::array<std::uint32_t, 2> vertices{};
 };
 
 /// A short message in the upper middle. The program drops it when its time is over.
@@ -163,10 +215,12 @@ using Modal = std::variant<std::monostate, ErrorDialog, OverBudgetQuestion, Unsa
 /// Control faces of each depth.
 using DepthCounts = std::array<std::size_t, kMaxDepth + 1>;
 
-/// What the legends count. The legend of creases is left out where there are none.
+/// What the legends count. Those of creases and of irregular vertices are left out where there are
+/// none.
 struct LegendCounts {
   DepthCounts depths{};
   CreaseCounts creases{};
+  ValenceCounts valences{};
 };
 
 /// Everything the panels read in one frame. They change nothing: what a person wants comes back as
@@ -182,15 +236,20 @@ struct Model {
   ViewState view{};
 
   DepthCounts depth_counts{};
-  CreaseCounts crease_counts{};                 ///< Sharp edges and vertices by how sharp they are.
-  double dihedral_threshold = 30.0;             ///< Degrees.
+  CreaseCounts crease_counts{};      ///< Sharp edges and vertices by how sharp they are.
+  ValenceCounts valence_counts{};    ///< Irregular vertices of the mesh shown, if they are.
+  double dihedral_threshold = 30.0;  ///< Degrees.
   std::optional<std::size_t> dihedral_faces{};  ///< Faces over the threshold, if counted.
   std::optional<std::size_t> dihedral_edges{};  ///< Edges over the threshold, if counted.
   double crease_sharpness = 2.0;                ///< That "crease edges" gives, 0..10.
 
   RefinementStatus refinement{};
+  SchemeStatus scheme{};
+  SecondStatus second{};
+  SphereStatus sphere{};
   HistoryStatus history{};
   std::optional<HoverInfo> hover{};
+  std::optional<EdgeHover> hover_edge{};
   bool is_stroking = false;  ///< A brush stroke is going on.
   double frame_seconds = 0.0;
 
@@ -199,5 +258,10 @@ struct Model {
   std::span<const Toast> toasts{};
   Modal modal{};
 };
+
+/// Whether the viewport has two halves.
+[[nodiscard]] inline bool is_split(const Model& model) noexcept {
+  return model.display.second.has_value();
+}
 
 }  // namespace limn::ui

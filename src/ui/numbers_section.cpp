@@ -64,7 +64,9 @@ void refined_rows(PanelContext& context) {
   row("Faces", "Faces of the refined mesh.",
       [](const RefinementResult& r) { return grouped(r.faces); });
   row("Uniform at this depth", "Faces of uniform subdivision to the same greatest level.",
-      [](const RefinementResult& r) { return grouped(r.uniform_faces); });
+      [](const RefinementResult& r) {
+        return r.uniform_faces > 0 ? grouped(r.uniform_faces) : std::string(kNothing);
+      });
   row("Saved", "The part of the uniform faces that is not needed.", [](const RefinementResult& r) {
     return percent_text(static_cast<double>(r.uniform_faces) - static_cast<double>(r.faces),
                         static_cast<double>(r.uniform_faces));

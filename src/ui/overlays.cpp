@@ -5,7 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "limn/document/document.h"
+#include "limn/mesh/statistics.h"
+#include "ui/format.h"
 #include "ui/panels.h"
+#include "ui/scheme_text.h"
 #include "ui/widgets.h"
 
 namespace limn::ui {
@@ -57,6 +61,91 @@ void draw_axes(PanelContext& context, ImDrawList& list, ImVec2 centre) {
   }
 }
 
+/// Side by side, lower left in the first half of the viewport, as many as there is room for.
+void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& look,
+                  const WindowRect& place) {
+  const Model& model = context.model;
+  const float margin = context.px(16);
+  const float foot = static_cast<float>(place.origin.y + place.size.height) - margin;
+  const float end = static_cast<float>(place.origin.x + place.size.width) - margin;
+  float x = static_cast<float>(place.origin.x) + margin;
+  const auto next = [&](const WindowSize& size, auto&& draw) {
+    const auto width = static_cast<float>(size.width);
+    const auto height = static_cast<float>(size.height);
+    const bool fits =
+        x + width <= end && foot - height >= static_cast<float>(place.origin.y) + margin;
+    if (fits) {
+      draw(ImVec2{x, foot - height});
+      x += width + margin / 2.0F;
+    }
+  };
+  // A scheme has no use for depths, unless there are some to be kept in mind.
+  const bool is_painted = model.depth_counts[0] < model.document.depths.size();
+  if (!model.document.scheme || is_painted) {
+    next(legend_size(look), [&](ImVec2 at) { draw_legend(list, look, model.depth_counts, at); });
+  }
+  if (model.display.creases && has_creases(model.crease_counts)) {
+    next(crease_legend_size(look),
+         [&](ImVec2 at) { draw_crease_legend(list, look, model.crease_counts, at); });
+  }
+  if (model.display.valences && has_valences(model.valence_counts)) {
+    next(valence_legend_size(look),
+         [&](ImVec2 at) { draw_valence_legend(list, look, model.valence_counts, at); });
+  }
+}
+
+/// What a picture shows: "Loop, Warren's weights", and below "Level 3 · 1,280 faces".
+void draw_caption(PanelContext& context, ImDrawList& list, const WindowRect& place,
+                  const std::string& title, const std::string& facts) {
+  const float pad = context.px(10);
+  const ImVec2 low{static_cast<float>(place.origin.x) + context.px(16),
+                   static_cast<float>(place.origin.y) + context.px(16)};
+  const float most = static_cast<float>(place.size.width) - context.px(32) - 2.0F * pad;
+  const std::string name = fit_text(title, most);
+  ImFont* small = context.fonts.small;
+  const float scale = ImGui::GetIO().FontGlobalScale;
+  const float small_size = small->FontSize * scale;
+  const float width = std::max(ImGui::CalcTextSize(name.c_str()).x,
+                               small->CalcTextSizeA(small_size, 1.0e6F, 0.0F, facts.c_str()).x);
+  const float line = ImGui::GetFontSize() + context.px(4);
+  const ImVec2 high{low.x + std::min(width, most) + 2.0F * pad,
+                    low.y + line + small_size + 1.6F * pad};
+  list.AddRectFilled(low, high, context.colours.overlay, context.px(6));
+  list.AddText({low.x + pad, low.y + 0.8F * pad}, context.colours.text, name.c_str());
+  list.AddText(small, small_size, {low.x + pad, low.y + 0.8F * pad + line},
+               context.colours.dim_text, facts.c_str());
+}
+
+void draw_captions(PanelContext& context, ImDrawList& list, const WindowRect& viewport) {
+  const Model& model = context.model;
+  const ViewportHalves halves = viewport_halves(viewport, is_split(model));
+  if (!model.document.scheme && !halves.second) {
+    return;
+  }
+  const int levels = model.refinement.result ? model.refinement.result->levels : 0;
+  const std::size_t faces =
+      model.refinement.result ? model.refinement.result->faces : model.statistics.faces;
+  const auto facts = [](int level, std::size_t count) {
+    return "Level " + std::to_string(level) + " · " + counted(count, "face");
+  };
+  draw_caption(context, list, halves.first,
+               model.document.scheme ? scheme_title(*model.document.scheme) : "As painted",
+               facts(levels, faces));
+  if (!halves.second) {
+    return;
+  }
+  const SecondStatus& second = model.second;
+  draw_caption(context, list, *halves.second, scheme_title(*model.display.second),
+               second.misfit           ? "Does not take this mesh"
+               : second.is_over_budget ? "Too many faces for the budget"
+               : second.faces          ? facts(second.levels, *second.faces)
+                                       : "…");
+  const auto x = std::floor(static_cast<float>(halves.second->origin.x)) + 0.5F;
+  list.AddLine({x, static_cast<float>(viewport.origin.y)},
+               {x, static_cast<float>(viewport.origin.y + viewport.size.height)},
+               context.colours.hairline, context.px(2));
+}
+
 void draw_toasts(PanelContext& context, ImDrawList& list, const WindowRect& viewport) {
   const ThemeColours& c = context.colours;
   const auto left = static_cast<float>(viewport.origin.x);
@@ -92,20 +181,10 @@ void draw_overlays(PanelContext& context, const WindowRect& viewport) {
                     low.y + static_cast<float>(viewport.size.height)};
   list.PushClipRect(low, high);
   const float margin = context.px(16);
+  const WindowRect first = viewport_halves(viewport, is_split(context.model)).first;
   const LegendLook look{context.fonts, context.colours, context.unit};
-  const WindowSize legend = legend_size(look);
-  if (legend.height + 2.0 * static_cast<double>(margin) < viewport.size.height) {
-    draw_legend(list, look, context.model.depth_counts,
-                {low.x + margin, high.y - margin - static_cast<float>(legend.height)});
-    const WindowSize creases = crease_legend_size(look);
-    const double both = legend.width + creases.width + 8.0 * static_cast<double>(margin);
-    if (context.model.display.creases && has_creases(context.model.crease_counts) &&
-        both < viewport.size.width) {
-      draw_crease_legend(list, look, context.model.crease_counts,
-                         {low.x + 1.5F * margin + static_cast<float>(legend.width),
-                          high.y - margin - static_cast<float>(creases.height)});
-    }
-  }
+  draw_legends(context, list, look, first);
+  draw_captions(context, list, viewport);
   draw_axes(context, list, {high.x - margin - context.px(32), high.y - margin - context.px(32)});
   draw_toasts(context, list, viewport);
   list.PopClipRect();

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "ui/panel_context.h"
@@ -26,12 +28,21 @@ void close_popups();
 /// Sections of the side panel.
 void draw_paint_section(PanelContext& context);
 void draw_subdivide_section(PanelContext& context);
+void draw_schemes_section(PanelContext& context);
 void draw_display_section(PanelContext& context);
 void draw_numbers_section(PanelContext& context);
+
+/// Errors against levels, one line a series, in a box of the width there is.
+void draw_sphere_plot(PanelContext& context);
 
 /// Contents of dialogs, within the modal window.
 void draw_help_sheet(PanelContext& context);
 void draw_path_prompt(PanelContext& context, const PathPrompt& prompt);
+
+/// A bar with the stage, how far it is and Cancel below, in place of the buttons that started it.
+/// `faces` to come, where known.
+void draw_progress(PanelContext& context, const RunningRefinement& running,
+                   std::optional<std::uint64_t> faces);
 
 /// What the mouse does now in the viewport: "Left drag: depth +1 · Shift: depth −1 · ...".
 [[nodiscard]] std::string mouse_hint(const Model& model, const ViewportInput& input);
@@ -49,7 +60,11 @@ void draw_legend(ImDrawList& list, const LegendLook& look, const DepthCounts& co
 [[nodiscard]] WindowSize crease_legend_size(const LegendLook& look);
 void draw_crease_legend(ImDrawList& list, const LegendLook& look, const CreaseCounts& counts,
                         ImVec2 origin);
+[[nodiscard]] WindowSize valence_legend_size(const LegendLook& look);
+void draw_valence_legend(ImDrawList& list, const LegendLook& look, const ValenceCounts& counts,
+                         ImVec2 origin);
 /// Whether there is anything to explain.
+[[nodiscard]] bool has_valences(const ValenceCounts& counts) noexcept;
 [[nodiscard]] bool has_creases(const CreaseCounts& counts) noexcept;
 
 }  // namespace limn::ui

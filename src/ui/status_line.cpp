@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "limn/document/document.h"
 #include "limn/subdivision/prediction.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -11,6 +12,11 @@
 
 namespace limn::ui {
 namespace {
+
+/// "12 – 45", its vertices.
+std::string edge_text(const EdgeHover& edge) {
+  return grouped(edge.vertices[0]) + " – " + grouped(edge.vertices[1]);
+}
 
 std::string tool_hint(const Model& model) {
   const BrushSettings& brush = model.brush;
@@ -23,6 +29,12 @@ std::string tool_hint(const Model& model) {
       return "Left drag: depth −1";
     case Tool::kPick:
       return "Click: pick the depth of this face";
+    case Tool::kSplitEdge:
+      return model.hover_edge ? "Click: split edge " + edge_text(*model.hover_edge)
+                              : "Point at an edge and click to split it";
+    case Tool::kFlipEdge:
+      return model.hover_edge ? "Click: flip edge " + edge_text(*model.hover_edge)
+                              : "Point at an edge and click to flip it";
     case Tool::kOrbit:
       break;
   }
@@ -37,15 +49,20 @@ std::string drag_hint(const Model& model) {
 }
 
 /// "12,480 faces, 31 % of uniform"; of the mesh to come while there is none.
-std::string cost_text(const RefinementStatus& refinement) {
+std::string cost_text(const Model& model) {
+  const RefinementStatus& refinement = model.refinement;
   const auto text = [](std::uint64_t faces, std::uint64_t uniform, const char* note) {
-    return counted(faces, "face") + note + ", " +
-           percent_text(static_cast<double>(faces), static_cast<double>(uniform)) + " of uniform";
+    std::string cost = counted(faces, "face") + note;
+    if (uniform > 0) {
+      cost += ", " + percent_text(static_cast<double>(faces), static_cast<double>(uniform)) +
+              " of uniform";
+    }
+    return cost;
   };
   if (refinement.result) {
     return text(refinement.result->faces, refinement.result->uniform_faces, "");
   }
-  if (refinement.prediction != nullptr) {
+  if (refinement.prediction != nullptr && !model.document.scheme) {
     return text(refinement.prediction->faces, refinement.prediction->uniform_faces, " to come");
   }
   return {};
@@ -95,7 +112,7 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
   const float pad = context.px(12);
   const bool is_over_control = !context.hint.empty() && !input.owns_drag;
   const std::string wanted = is_over_control ? context.hint : mouse_hint(context.model, input);
-  const std::string cost = cost_text(context.model.refinement);
+  const std::string cost = cost_text(context.model);
   float right = origin.x + width - pad - width_of(cost);
   list.AddText({std::floor(right), y}, context.colours.text, cost.c_str());
   right -= context.px(20);

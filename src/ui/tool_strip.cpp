@@ -1,4 +1,4 @@
-// Four tools, then the things one reaches for all the time; help at the foot.
+// Six tools, then the things one reaches for all the time; help at the foot.
 
 #include <array>
 
@@ -13,10 +13,12 @@ struct Entry {
   Icon icon;
 };
 
-constexpr std::array<Entry, 4> kTools{{{ActionId::kToolPaint, Icon::kRingPlus},
+constexpr std::array<Entry, 6> kTools{{{ActionId::kToolPaint, Icon::kRingPlus},
                                        {ActionId::kToolLower, Icon::kRingMinus},
                                        {ActionId::kToolPick, Icon::kDropper},
-                                       {ActionId::kToolOrbit, Icon::kOrbit}}};
+                                       {ActionId::kToolOrbit, Icon::kOrbit},
+                                       {ActionId::kToolSplitEdge, Icon::kSplitEdge},
+                                       {ActionId::kToolFlipEdge, Icon::kFlipEdge}}};
 constexpr std::array<Entry, 3> kOften{{{ActionId::kUndo, Icon::kUndo},
                                        {ActionId::kRedo, Icon::kRedo},
                                        {ActionId::kFrameAll, Icon::kFrame}}};

@@ -122,6 +122,7 @@ void explain(PanelContext& context, std::string_view title, std::string_view tex
     return;
   }
   context.hint = std::string(title) + ": " + std::string(text);
+  std::replace(context.hint.begin(), context.hint.end(), '\n', ' ');
   const ImGuiID id = ImGui::GetID(title.data(), title.data() + title.size());
   if (context.state.hovered_control != id) {
     context.state.hovered_control = id;

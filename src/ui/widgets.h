@@ -41,6 +41,16 @@ struct Choice {
 };
 void action_choice(PanelContext& context, std::span<const Choice> choices);
 
+/// One of many things, in a list that unfolds below.
+struct ComboEntry {
+  Action action;
+  std::string label;
+  std::string meaning;  ///< Tooltip.
+};
+/// `what` explains the choice as a whole; `entries` are of that action. Shows the entry that is
+/// checked.
+void action_combo(PanelContext& context, ActionId what, std::span<const ComboEntry> entries);
+
 /// A menu entry with its key.
 void action_menu_item(PanelContext& context, const Action& action, std::string_view label = {});
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 namespace limn::ui {
 
 /// A place in window coordinates: the units the window system reports the cursor in, origin upper
@@ -30,5 +34,20 @@ struct WindowRect {
   }
   [[nodiscard]] bool operator==(const WindowRect&) const = default;
 };
+
+/// The viewport, or its two halves of one size where it is split.
+struct ViewportHalves {
+  WindowRect first;
+  std::optional<WindowRect> second;
+};
+[[nodiscard]] inline ViewportHalves viewport_halves(const WindowRect& viewport, bool is_split) {
+  if (!is_split) {
+    return {viewport, std::nullopt};
+  }
+  const double width = std::max(1.0, std::floor(viewport.size.width / 2.0));
+  const WindowSize half{width, viewport.size.height};
+  const double right = viewport.origin.x + viewport.size.width - width;
+  return {{viewport.origin, half}, WindowRect{{right, viewport.origin.y}, half}};
+}
 
 }  // namespace limn::ui

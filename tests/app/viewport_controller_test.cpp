@@ -47,6 +47,23 @@ class StripPicker final : public ViewportPicker {
   render::BrushCapsule last;
 };
 
+/// One face, wherever the mouse is.
+class FacePickerStub final : public ViewportPicker {
+ public:
+  explicit FacePickerStub(std::uint32_t face) : face_(face) {}
+  [[nodiscard]] std::optional<render::PickedFace> pick(render::FramebufferPoint) override {
+    render::PickedFace face;
+    face.control_face = face_;
+    return face;
+  }
+  [[nodiscard]] std::vector<std::uint32_t> brush(const render::BrushCapsule&) override {
+    return {face_};
+  }
+
+ private:
+  std::uint32_t face_;
+};
+
 class ViewportControllerTest : public testing::Test {
  protected:
   ViewportControllerTest() {
@@ -261,6 +278,114 @@ TEST_F(ViewportControllerTest, PickToolTakesTheDepthUnderTheCursor) {
   press(MouseButton::kLeft);
   release(MouseButton::kLeft);
   EXPECT_EQ(session_.brush().target_depth, 6);
+}
+
+class EdgeToolTest : public ViewportControllerTest {
+ protected:
+  EdgeToolTest() {
+    session_.perform({ui::ActionId::kOpenBundled, std::string("icosahedron")});
+    session_.set_aspect(1.5);
+  }
+
+  /// Where a part of an edge of the picker's face shows in the window.
+  ui::WindowPoint on_edge(std::uint32_t edge, double part = 0.5) const {
+    const ControlMesh& mesh = *session_.document().control;
+    const auto& ends = mesh.topology().edge_vertices[edge];
+    const render::Camera camera = render::make_camera(session_.view(), mesh.bounds(), place_.size);
+    const auto shown = render::project(
+        camera, (1.0 - part) * mesh.positions()[ends[0]] + part * mesh.positions()[ends[1]]);
+    return {place_.rect.origin.x + shown->point.x, place_.rect.origin.y + shown->point.y};
+  }
+  std::uint32_t edge_of_face(std::size_t side) const {
+    const FlatTopology& topology = session_.document().control->topology();
+    return topology.corner_edges[topology.face_offsets[kFace] + side];
+  }
+  void frame_over(ui::WindowPoint at, std::optional<bool> left = std::nullopt) {
+    ui::ViewportInput input = held_;
+    input.path = {at};
+    input.cursor = at;
+    if (left) {
+      held_.buttons_down[0] = input.buttons_down[0] = *left;
+      input.button = ui::ButtonChanged{MouseButton::kLeft, *left};
+      held_.owns_drag = *left;
+      input.owns_drag = true;
+    }
+    controller_.update(input, place_, session_, face_picker_);
+  }
+
+  static constexpr std::uint32_t kFace = 5;
+  FacePickerStub face_picker_{kFace};
+};
+
+TEST_F(EdgeToolTest, TheNearestEdgeOfTheFaceLightsUp) {
+  session_.perform(ui::ActionId::kToolSplitEdge);
+  for (std::size_t side = 0; side < 3; ++side) {
+    frame_over(on_edge(edge_of_face(side), 0.4));
+    EXPECT_EQ(session_.hover_edge(), edge_of_face(side));
+    EXPECT_EQ(session_.hover(), kFace);
+  }
+  ui::WindowPoint off = on_edge(edge_of_face(0));
+  off.x += 3000.0;
+  frame_over(off);
+  EXPECT_EQ(session_.hover_edge(), std::nullopt) << "out of reach";
+  session_.perform(ui::ActionId::kToolPaint);
+  frame_over(on_edge(edge_of_face(1)));
+  EXPECT_EQ(session_.hover_edge(), std::nullopt) << "the brush takes faces";
+}
+
+TEST_F(EdgeToolTest, AClickSplitsAndAnotherToolFlips) {
+  session_.perform(ui::ActionId::kToolSplitEdge);
+  const ui::WindowPoint at = on_edge(edge_of_face(2));
+  frame_over(at);
+  frame_over(at, true);
+  EXPECT_EQ(session_.document().control->vertex_count(), 13U);
+  frame_over({at.x + 40.0, at.y}, false);
+  EXPECT_EQ(session_.document().control->vertex_count(), 13U) << "a drag is one click";
+  session_.perform(ui::ActionId::kUndo);
+  session_.perform(ui::ActionId::kToolFlipEdge);
+  const auto before = session_.document().control->topology().edge_vertices[edge_of_face(2)];
+  frame_over(at, true);
+  frame_over(at, false);
+  EXPECT_EQ(session_.history().undo_name(), "flip edge");
+  EXPECT_NE(session_.document().control->topology().edge_vertices[edge_of_face(2)], before);
+}
+
+TEST_F(ViewportControllerTest, InTheSecondHalfEveryDragMovesTheCameraOfBoth) {
+  place_ = {{{10.0, 20.0}, {300.0, 400.0}}, {300, 400}, ui::WindowPoint{310.0, 20.0}};
+  const ViewState before = session_.view();
+  move({{460, 220}});
+  EXPECT_FALSE(session_.hover());
+  EXPECT_FALSE(controller_.ring());
+  press(MouseButton::kLeft);
+  move({{410, 220}});
+  EXPECT_FALSE(session_.is_stroking());
+  const ViewState turned = session_.view();
+  EXPECT_NE(turned.yaw, before.yaw);
+  move({{60, 220}});
+  EXPECT_NE(session_.view().yaw, turned.yaw) << "a drag stays in the half it began in";
+  release(MouseButton::kLeft);
+  EXPECT_EQ(session_.document().depths.deepest(), 0);
+
+  move({{60, 220}});
+  EXPECT_EQ(session_.hover(), 0U);
+  press(MouseButton::kLeft);
+  release(MouseButton::kLeft);
+  EXPECT_THAT(depths(), ElementsAre(1, 0, 0, 0, 0, 0)) << "the first half is painted on";
+}
+
+TEST_F(ViewportControllerTest, BothHalvesTurnAlike) {
+  place_ = {{{10.0, 20.0}, {300.0, 400.0}}, {300, 400}, ui::WindowPoint{310.0, 20.0}};
+  session_.perform(ui::ActionId::kToolOrbit);
+  const ViewState before = session_.view();
+  const auto turn = [&](double left) {
+    session_.set_view(before);
+    move({{left + 50, 220}});
+    press(MouseButton::kLeft);
+    move({{left + 120, 260}});
+    release(MouseButton::kLeft);
+    return session_.view();
+  };
+  EXPECT_EQ(turn(10.0), turn(310.0));
 }
 
 TEST_F(ViewportControllerTest, OrbitToolTurnsWithAPlainDrag) {

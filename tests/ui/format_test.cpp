@@ -33,6 +33,9 @@ TEST(Format, BytesHaveThreeFiguresAtMost) {
 }
 
 TEST(Format, SecondsAndPercent) {
+  EXPECT_EQ(seconds_text(0.0000158), "16 µs");
+  EXPECT_EQ(seconds_text(0.0000994), "99 µs");
+  EXPECT_EQ(seconds_text(0.0001), "0.1 ms");
   EXPECT_EQ(seconds_text(0.0004), "0.4 ms");
   EXPECT_EQ(seconds_text(0.012), "12 ms");
   EXPECT_EQ(seconds_text(3.21), "3.2 s");

@@ -83,6 +83,8 @@ TEST(Keymap, SharedKeysAreInEveryKeymap) {
                                                        {"[", ActionId::kBrushSmaller},
                                                        {"]", ActionId::kBrushBigger},
                                                        {"I", ActionId::kPickDepth},
+                                                       {"Right", ActionId::kSchemeForward},
+                                                       {"Left", ActionId::kSchemeBack},
                                                        {"Home", ActionId::kFrameAll},
                                                        {".", ActionId::kFrameHovered}};
   for (const KeymapId keymap : kKeymaps) {
@@ -101,6 +103,7 @@ TEST(Keymap, ClassroomHasItsOwnDisplayKeys) {
     return action_for(KeymapId::kClassroom, *chord_from_text(text));
   };
   EXPECT_THAT(at("S"), Optional(Action(ActionId::kToggleSmooth)));
+  EXPECT_THAT(at("F"), Optional(Action(ActionId::kToggleFaces)));
   EXPECT_THAT(at("E"), Optional(Action(ActionId::kToggleWireframe)));
   EXPECT_THAT(at("W"), Optional(Action(ActionId::kToggleWireframe)));
   EXPECT_THAT(at("L"), Optional(Action(ActionId::kToggleLight)));

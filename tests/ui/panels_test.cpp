@@ -9,6 +9,7 @@
 
 #include "ui/action_table.h"
 #include "ui/keymap.h"
+#include "ui/scheme_text.h"
 #include "ui/screen.h"
 
 namespace limn::ui {
@@ -56,8 +57,8 @@ TEST(Panels, TheWayToRemoveIllegalVerticesIsAChoice) {
   screen.document.settings.legalisation = LegalisationMethod::kGreedy;
   screen.click("Greedy");  // That is so already.
   screen.click("Look ahead");
-  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kLegaliseGreedy),
-                                                 Action(ActionId::kLegaliseLookAhead)));
+  EXPECT_THAT(screen.take_actions(),
+              ElementsAre(Action(ActionId::kLegaliseGreedy), Action(ActionId::kLegaliseLookAhead)));
 }
 
 TEST(Panels, CreasesAreClearedOnlyWhereThereAreAny) {
@@ -350,7 +351,10 @@ TEST(Panels, EveryActionIsReachable) {
       reached.insert(binding.action.id);
     }
   }
-  Screen screen({1280, 2200});
+  Screen screen({1280, 2600});
+  PanelLayout layout;
+  layout.schemes_open = true;
+  screen.gui().set_layout(layout);
   screen.recent = {"/tmp/a.obj"};
   std::set<std::string> names;
   const auto look = [&] {
@@ -365,15 +369,20 @@ TEST(Panels, EveryActionIsReachable) {
     screen.key(Key::kEscape);
     screen.settle();
   }
-  for (const char* sub_menu : {"menu: Illegal vertices", "menu: Faces that are not quads",
-                               "menu: Boundary corners", "menu: Vertices",
-                               "menu: Texture coordinates"}) {
+  for (const char* sub_menu :
+       {"menu: Illegal vertices", "menu: Faces that are not quads", "menu: Boundary corners",
+        "menu: Vertices", "menu: Texture coordinates"}) {
     screen.click("menu: Mesh");
     screen.click(sub_menu);
     screen.settle();
     look();
     screen.key(Key::kEscape);
     screen.settle();
+  }
+  for (const char* word : {"loop", "linear"}) {
+    screen.document.scheme = scheme_from_word(word);
+    screen.settle();
+    look();
   }
   screen.model.modal = OverBudgetQuestion{};
   screen.settle();
@@ -385,8 +394,10 @@ TEST(Panels, EveryActionIsReachable) {
     const std::string label(action.label);
     const bool is_drawn = names.contains(label) || names.contains("menu: " + label) ||
                           names.contains("tool: " + label);
-    // Opening a bundled mesh and a folder are reached by their names, tested where those are.
-    const bool is_by_name = action.value == ValueKind::kText;
+    // Bundled meshes, folders, schemes and their levels are reached by their names, tested where
+    // those are.
+    const bool is_by_name =
+        action.value == ValueKind::kText || action.id == ActionId::kSetSchemeLevel;
     EXPECT_TRUE(reached.contains(action.id) || is_drawn || is_by_name) << label;
   }
 }

@@ -31,6 +31,12 @@ TEST(StatusLine, SaysWhatTheMouseWillDo) {
   input.modifiers = {};
   screen.model.brush.tool = Tool::kPick;
   EXPECT_THAT(mouse_hint(screen.model, input), HasSubstr("pick"));
+  screen.model.brush.tool = Tool::kSplitEdge;
+  EXPECT_THAT(mouse_hint(screen.model, input), HasSubstr("Point at an edge"));
+  screen.model.hover_edge = EdgeHover{4, {12, 3400}};
+  EXPECT_THAT(mouse_hint(screen.model, input), HasSubstr("Click: split edge 12 – 3,400"));
+  screen.model.brush.tool = Tool::kFlipEdge;
+  EXPECT_THAT(mouse_hint(screen.model, input), HasSubstr("Click: flip edge 12 – 3,400"));
   screen.model.brush.tool = Tool::kOrbit;
   EXPECT_THAT(mouse_hint(screen.model, input), HasSubstr("Left or middle drag: orbit"));
   input.owns_drag = true;
