@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   add_compare_command(program, work);
   add_symmetrise_command(program, work);
   add_split_and_flip_command(program, work);
+  add_classroom_command(program, work);
 
   try {
     program.parse(argc, argv);
