@@ -105,7 +105,7 @@ TEST(SphereFit, IsBestForNoisyPoints) {
   for (int i = 0; i < 60; ++i) {
     const double noise = std::pow(10.0, -1 - i % 6) * 3.0;
     const Points points =
-        noisy_sphere(static_cast<std::size_t>(6 + 5 * i), {1, -2, 0.5}, 2.5, noise, random);
+        noisy_sphere(6 + 5 * static_cast<std::size_t>(i), {1, -2, 0.5}, 2.5, noise, random);
     const auto fit = fit_sphere(points);
     ASSERT_TRUE(fit);
     EXPECT_LT(slope(points, *fit), 1e-11) << "noise " << noise;

@@ -47,7 +47,7 @@ Faces faces_of(const ControlMesh& mesh) {
 
 Faces sorted_faces(Faces faces) {
   for (auto& face : faces) {
-    std::ranges::rotate(face, std::ranges::min_element(face));
+    std::rotate(face.begin(), std::ranges::min_element(face), face.end());
   }
   std::ranges::sort(faces);
   return faces;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ostream>
 #include <set>
 #include <vector>
 
@@ -74,8 +75,8 @@ struct Group {
   bool operator==(const Group&) const = default;
 };
 
-void PrintTo(const Group& group, std::ostream* out) {
-  *out << group.order << " symmetries, " << group.threefold_axes << " three-fold axes";
+std::ostream& operator<<(std::ostream& out, const Group& group) {
+  return out << group.order << " symmetries, " << group.threefold_axes << " three-fold axes";
 }
 
 Group group_of(const ControlMesh& mesh) {
@@ -183,7 +184,8 @@ TEST(Symmetrise, FindsTheDiagonalsOfAFinerCube) {
     const glm::dvec3 u = (coarse.positions[face[1]] - origin) / 3.0;
     const glm::dvec3 v = (coarse.positions[face[3]] - origin) / 3.0;
     for (int i = 0; i < 9; ++i) {
-      const glm::dvec3 p = origin + double(i % 3) * u + double(i / 3) * v;
+      const int row = i / 3;
+      const glm::dvec3 p = origin + double(i - 3 * row) * u + double(row) * v;
       const std::array corners{at(p), at(p + u), at(p + u + v), at(p + v)};
       const std::size_t start = random() % 2;
       quads.add_face(std::array{corners[start], corners[start + 1], corners[start + 2]});
