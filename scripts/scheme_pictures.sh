@@ -63,7 +63,8 @@ def load(name):
 sphere = [[run["mesh"], run["weights"], str(level["level"]), f"{level['vertices']:,}",
            f"{level['faces']:,}", *errors(level)]
           for run in load("sphere") for level in run["levels"]]
-schemes = [[run["scheme"] + (", Warren's weights" if run.get("weights") == "warren" else ""),
+schemes = [[run["scheme"] + (", Warren's weights" if run.get("weights") == "warren" else "")
+            + (", averaged" if run.get("averaged") else ""),
             "made to fit" if run["fitted"] else "", f"{run['levels'][-1]['faces']:,}",
             *errors(run["levels"][-1])]
            for run in load("schemes")]

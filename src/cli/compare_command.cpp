@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,25 +32,38 @@ struct CompareOptions {
   std::string scheme = "loop";
   std::optional<LoopWeights> weights;  ///< Nothing: both.
   int levels = 5;
+  std::uint64_t face_budget = 50'000'000;
+  bool averages = false;
   bool is_fitted = false;
   bool json = false;
 };
 
-/// The schemes asked for, each with all the weights asked for.
+/// A scheme with all the choices asked for.
+std::vector<SchemeSettings> choices_of(Scheme scheme, const CompareOptions& options) {
+  const bool is_all = options.scheme == kAllSchemes;
+  std::vector<SchemeSettings> choices;
+  if (scheme == Scheme::kLoop) {
+    for (const LoopWeights weights : {LoopWeights::kOriginal, LoopWeights::kWarren}) {
+      if (options.weights.value_or(weights) == weights) {
+        choices.push_back({.scheme = scheme, .weights = weights});
+      }
+    }
+  } else if (scheme == Scheme::kLinear && is_all) {
+    choices.push_back({.scheme = scheme});
+    choices.push_back({.scheme = scheme, .averages = true});
+  } else {
+    choices.push_back({.scheme = scheme, .averages = options.averages});
+  }
+  return choices;
+}
+
+/// The schemes asked for.
 std::vector<SchemeSettings> settings_of(const CompareOptions& options, const Document& document) {
   std::vector<SchemeSettings> all;
   for (const SchemeInfo& info : schemes()) {
-    if (options.scheme != kAllSchemes && options.scheme != info.name) {
-      continue;
-    }
-    SchemeSettings settings{.scheme = info.scheme, .corners = document.settings.corners};
-    if (info.scheme != Scheme::kLoop) {
-      all.push_back(settings);
-      continue;
-    }
-    for (const LoopWeights weights : {LoopWeights::kOriginal, LoopWeights::kWarren}) {
-      if (options.weights.value_or(weights) == weights) {
-        settings.weights = weights;
+    if (options.scheme == kAllSchemes || options.scheme == info.name) {
+      for (SchemeSettings settings : choices_of(info.scheme, options)) {
+        settings.corners = document.settings.corners;
         all.push_back(settings);
       }
     }
@@ -102,6 +116,10 @@ Result<void> compare_mesh(const std::string& input, const CompareOptions& option
     if (!mesh) {
       return tl::unexpected(mesh.error());
     }
+    if (auto affordable = check_budget(**mesh, settings, options.levels, options.face_budget);
+        !affordable) {
+      return affordable;
+    }
     Result<std::vector<SphereComparison>> rows;
     {
       TerminalProgress progress;
@@ -120,6 +138,9 @@ Result<void> compare_mesh(const std::string& input, const CompareOptions& option
     Json entry = {{"mesh", document.name}, {"scheme", scheme_info(settings.scheme).name}};
     if (settings.scheme == Scheme::kLoop) {
       entry["weights"] = settings.weights == LoopWeights::kWarren ? "warren" : "original";
+    }
+    if (settings.scheme == Scheme::kLinear) {
+      entry["averaged"] = settings.averages;
     }
     entry["fitted"] = *mesh != document.control;
     entry["levels"] = Json::array();
@@ -183,11 +204,24 @@ void add_sphere_command(CLI::App& compare, Work& work) {
       ->type_name("N")
       ->check(CLI::Range(0, kMostSchemeLevels))
       ->capture_default_str();
+  command
+      ->add_option("--budget", options->face_budget,
+                   "Refuse, before any work on a mesh, a last level with more faces")
+      ->type_name("FACES")
+      ->capture_default_str();
+  command->add_flag(
+      "--average", options->averages,
+      "After each split of linear, move vertices to the mean of the centroids around");
   command->add_flag("--fit", options->is_fitted,
                     "Make a mesh fit that the scheme cannot take: into triangles, or by one step "
                     "of catmull-clark into quads");
   command->add_flag("--json", options->json, "JSON on standard output");
-  command->callback([options, &work] { work = [options] { return compare_meshes(*options); }; });
+  command->callback([options, &work] {
+    if (options->averages && options->scheme != scheme_info(Scheme::kLinear).name) {
+      throw CLI::ValidationError("--average", "only the scheme linear can be averaged");
+    }
+    work = [options] { return compare_meshes(*options); };
+  });
 }
 
 }  // namespace

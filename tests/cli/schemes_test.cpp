@@ -131,7 +131,9 @@ TEST(CompareSphere, AllSchemesFitTheMeshesAsNeeded) {
       limn({"compare", "sphere", "cube", "--scheme", "all", "--levels", "2", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json tables = Json::parse(run.out);
-  ASSERT_EQ(tables.size(), 10u);
+  ASSERT_EQ(tables.size(), 11u);
+  EXPECT_EQ(tables[0]["averaged"], false);
+  EXPECT_EQ(tables[1]["averaged"], true);
   std::map<std::string, bool> fitted;
   for (const Json& table : tables) {
     fitted[table["scheme"]] = table["fitted"];
@@ -157,7 +159,11 @@ TEST(CompareSphere, SaysWhyItCannot) {
   const ProgramRun quads = limn({"compare", "sphere", "cube"});
   EXPECT_EQ(quads.exit_code, 1);
   EXPECT_THAT(quads.err, HasSubstr("--fit"));
+  const ProgramRun large = limn({"compare", "sphere", "--levels", "12"});
+  EXPECT_EQ(large.exit_code, 4);
+  EXPECT_THAT(large.err, HasSubstr("536870912 faces"));
   EXPECT_EQ(limn({"compare"}).exit_code, 2);
+  EXPECT_EQ(limn({"compare", "sphere", "--average"}).exit_code, 2);
   EXPECT_EQ(limn({"compare", "sphere", "--scheme", "some"}).exit_code, 2);
   EXPECT_EQ(limn({"compare", "sphere", "no_such_mesh"}).exit_code, 3);
 }
