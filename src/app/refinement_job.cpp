@@ -179,7 +179,11 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
     }
   };
 
-  auto labels = derive_labels(control, request.depths.values(), request.settings, progress);
+  SubdivisionSettings settings = request.settings;
+  if (request.scheme) {
+    settings.scheme = RefinementScheme::kCatmullClark;  // Labels are shown, and take any mesh.
+  }
+  auto labels = derive_labels(control, request.depths.values(), settings, progress);
   if (!labels) {
     publish_error(std::move(labels.error()));
     return;
@@ -193,7 +197,7 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   result.illegal_left = illegal_faces(control, legal, request.settings.legalisation).size();
   result.prediction = request.scheme && request.levels > 0
                           ? predict_uniform(control, *request.scheme, request.levels)
-                          : predict_refinement(control, legal, request.levels);
+                          : predict_derived(control, *result.labels, request.levels);
   result.is_over_budget = request.levels > 0 && result.prediction.faces > request.face_budget;
   result.is_final = request.levels == 0 || result.is_over_budget;
   publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
@@ -225,8 +229,8 @@ Result<void> RefinementJob::refine(const JobRequest& request, JobResult& result,
         });
   }
   return source_
-      .derive(control, result.labels->legal.labels,
-              {request.settings, request.levels, request.face_budget}, progress)
+      .derive(control, *result.labels, {request.settings, request.levels, request.face_budget},
+              progress)
       .map([&](Refinement made) {
         result.refinement = std::make_shared<const Refinement>(std::move(made));
         result.mesh = result.refinement->mesh;

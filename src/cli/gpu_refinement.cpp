@@ -21,6 +21,11 @@ bool has_creases(const ControlMesh& mesh) {
 
 Result<GpuDrawing> refine_on_gpu(const Document& document, const DerivedLabels& labels,
                                  const GpuOptions& options, render::SurfaceBuffers& surface) {
+  if (document.settings.scheme != RefinementScheme::kCatmullClark) {
+    return fail(ErrorKind::kUsage,
+                "The GPU refines by Catmull-Clark alone; leave out --refine-on gpu or --adaptive "
+                "loop.");
+  }
   const ControlMesh& control = *document.control;
   const VertexLabels& legal = labels.legal.labels;
   RefineLimits limits;

@@ -100,6 +100,13 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
       ->type_name("RULE")
       ->expected(1)
       ->take_all();
+  add_choice<RefinementScheme>(
+      command, "--adaptive", options.adaptive,
+      {{"catmull-clark", RefinementScheme::kCatmullClark}, {"loop", RefinementScheme::kLoop}},
+      "What subdivides the painted faces: catmull-clark, or loop for triangle meshes");
+  add_choice<LoopWeights>(command, "--adaptive-weights", options.adaptive_weights,
+                          {{"original", LoopWeights::kOriginal}, {"warren", LoopWeights::kWarren}},
+                          "Of --adaptive loop: original or warren");
   add_choice<LegalisationMethod>(
       command, "--legalize", options.legalisation,
       {{"look-ahead", LegalisationMethod::kLookAhead}, {"greedy", LegalisationMethod::kGreedy}},
@@ -157,6 +164,8 @@ Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFa
     return project;
   }
   Document& document = project->document;
+  document.settings.scheme = options.adaptive.value_or(document.settings.scheme);
+  document.settings.weights = options.adaptive_weights.value_or(document.settings.weights);
   document.settings.legalisation = options.legalisation.value_or(document.settings.legalisation);
   document.settings.non_quads = options.non_quads.value_or(document.settings.non_quads);
   document.settings.corners = options.corners.value_or(document.settings.corners);
@@ -199,7 +208,7 @@ Result<Derived> derive(const Project& project, const PaintingOptions& options) {
   Derived derived{*std::move(labels), std::nullopt, std::nullopt};
   if (options.levels > 0 && derived.labels.prediction.levels > 0) {
     Result<Refinement> refinement =
-        derive_refinement(*document.control, derived.labels.legal.labels,
+        derive_refinement(*document.control, derived.labels,
                           {document.settings, options.levels, options.face_budget}, progress);
     if (!refinement) {
       return tl::unexpected(std::move(refinement.error()));

@@ -27,6 +27,8 @@ struct PaintingOptions {
   std::string input;
   std::vector<PaintRule> rules;     ///< In the order given.
   std::vector<CreaseRule> creases;  ///< In the order given.
+  std::optional<RefinementScheme> adaptive;
+  std::optional<LoopWeights> adaptive_weights;
   std::optional<LegalisationMethod> legalisation;
   std::optional<NonQuadRule> non_quads;
   std::optional<CornerRule> corners;

@@ -189,6 +189,7 @@ Json refinement_report(const Document& document, const Derived& derived) {
       {"illegal_faces", labels.illegal_faces.size()},
       {"illegal_vertices", labels.illegal_vertices.size()},
       {"relabelled_vertices", labels.raised_vertices.size()},
+      {"deepened_faces", labels.deepened_faces},
       {"levels", counts.levels},
       {"faces", counts.faces},
       {"vertices", counts.vertices},
@@ -250,8 +251,12 @@ std::string refinement_text(const Document& document, const Derived& derived) {
   const RefinementPrediction counts = result_counts(document, derived);
   Table table;
   table.row("painted", painted_text(document.depths));
-  table.count("illegal vertices", derived.labels.illegal_vertices.size());
-  table.count("relabelled", derived.labels.raised_vertices.size());
+  if (document.settings.scheme == RefinementScheme::kLoop) {
+    table.count("faces deepened", derived.labels.deepened_faces);
+  } else {
+    table.count("illegal vertices", derived.labels.illegal_vertices.size());
+    table.count("relabelled", derived.labels.raised_vertices.size());
+  }
   table.row("levels", std::to_string(counts.levels));
   table.count("faces", counts.faces);
   table.count("vertices", counts.vertices);

@@ -26,8 +26,8 @@ namespace limn {
 namespace {
 
 constexpr std::string_view kFormat = "limn-project";
-/// 2 brought creases, corners and texture coordinates, 3 uniform schemes. A project is written as
-/// the oldest version that holds it, for programs that know no other.
+/// 2 brought creases, corners and texture coordinates, 3 uniform schemes and adaptive Loop. A
+/// project is written as the oldest version that holds it, for programs that know no other.
 constexpr std::int64_t kVersion = 3;
 /// Some five million control faces; a file beyond this is no painting.
 constexpr std::size_t kMostProjectBytes = std::size_t{1} << 30U;
@@ -42,6 +42,8 @@ constexpr std::array<Named<SurfacePoints>, 2> kSurfacePoints{
 constexpr std::array<Named<TextureRule>, 2> kTextureRules{
     {{"smooth-inside", TextureRule::kSmoothInside}, {"linear", TextureRule::kLinear}}};
 
+constexpr std::array<Named<RefinementScheme>, 2> kRefinementSchemes{
+    {{"catmull-clark", RefinementScheme::kCatmullClark}, {"loop", RefinementScheme::kLoop}}};
 constexpr std::array<Named<LoopWeights>, 2> kLoopWeights{
     {{"original", LoopWeights::kOriginal}, {"warren", LoopWeights::kWarren}}};
 
@@ -65,7 +67,7 @@ bool is_plain(const Document& document) {
 }
 
 std::int64_t version_of(const Document& document) {
-  if (document.scheme) {
+  if (document.scheme || document.settings.scheme != RefinementScheme::kCatmullClark) {
     return 3;
   }
   return is_plain(document) ? 1 : 2;
@@ -106,6 +108,11 @@ void write_project(std::ostream& out, const Document& document,
   }
   if (settings.texture != SubdivisionSettings{}.texture) {
     writer.add(fmt::format(",\n    \"texture\": \"{}\"", name_of(settings.texture, kTextureRules)));
+  }
+  if (settings.scheme != SubdivisionSettings{}.scheme) {
+    writer.add(fmt::format(",\n    \"adaptive\": \"{}\",\n    \"weights\": \"{}\"",
+                           name_of(settings.scheme, kRefinementSchemes),
+                           name_of(settings.weights, kLoopWeights)));
   }
   writer.add("\n  },\n");
   if (document.scheme) {
@@ -170,6 +177,10 @@ SubdivisionSettings read_settings(FieldReader& fields) {
   }
   if (!fields.is_absent("/settings/texture")) {
     settings.texture = fields.choice("/settings/texture", kTextureRules);
+  }
+  if (!fields.is_absent("/settings/adaptive")) {
+    settings.scheme = fields.choice("/settings/adaptive", kRefinementSchemes);
+    settings.weights = fields.choice("/settings/weights", kLoopWeights);
   }
   return settings;
 }

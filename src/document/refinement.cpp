@@ -1,13 +1,16 @@
 #include "limn/document/refinement.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <mutex>
 #include <string_view>
 #include <utility>
 
+#include "limn/document/scheme_refinement.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/labels.h"
+#include "limn/subdivision/schemes/adaptive_loop.h"
 
 namespace limn {
 namespace {
@@ -36,12 +39,8 @@ class PartOf final : public Progress {
   double to_;
 };
 
-}  // namespace
-
-Result<DerivedLabels> derive_labels(const ControlMesh& control,
-                                    std::span<const std::uint8_t> depths,
-                                    const SubdivisionSettings& settings, Progress& progress) {
-  const Stopwatch watch;
+Result<DerivedLabels> label(const ControlMesh& control, std::span<const std::uint8_t> depths,
+                            const SubdivisionSettings& settings, Progress& progress) {
   DerivedLabels derived;
   derived.painted =
       apply_non_quad_rule(control, vertex_labels(control, depths), settings.non_quads);
@@ -57,9 +56,66 @@ Result<DerivedLabels> derive_labels(const ControlMesh& control,
       derived.raised_vertices.push_back(v);
     }
   }
-  derived.prediction = predict_refinement(control, derived.legal.labels);
-  derived.seconds = watch.seconds();
   return derived;
+}
+
+/// Labels are shown for Loop as well: how far the faces around a vertex go.
+Result<DerivedLabels> balance(const ControlMesh& control, std::span<const std::uint8_t> depths) {
+  if (Result<void> fits = check_fits(control, Scheme::kLoop); !fits) {
+    return tl::unexpected(std::move(fits.error()));
+  }
+  DerivedLabels derived;
+  derived.painted = vertex_labels(control, depths);
+  derived.face_depths = balanced_depths(control, depths);
+  derived.legal.labels = vertex_labels(control, derived.face_depths);
+  for (std::size_t f = 0; f < depths.size(); ++f) {
+    derived.deepened_faces += derived.face_depths[f] > depths[f] ? 1 : 0;
+  }
+  return derived;
+}
+
+/// No deeper than so many levels. Balanced depths stay so.
+std::vector<std::uint8_t> held_to(std::span<const std::uint8_t> depths, int levels) {
+  std::vector<std::uint8_t> held(depths.begin(), depths.end());
+  for (std::uint8_t& depth : held) {
+    depth = static_cast<std::uint8_t>(std::min<int>(depth, levels));
+  }
+  return held;
+}
+
+RefinementPrediction predict_loop(const ControlMesh& control,
+                                  std::span<const std::uint8_t> depths) {
+  const SchemeCounts counts = predict_adaptive_loop(control, depths);
+  RefinementPrediction prediction;
+  prediction.faces = counts.faces;
+  prediction.vertices = counts.vertices;
+  prediction.edges = counts.edges;
+  prediction.bytes = scheme_bytes(counts);
+  prediction.levels = *std::ranges::max_element(depths);
+  prediction.uniform_faces = control.face_count() << (2 * prediction.levels);
+  return prediction;
+}
+
+}  // namespace
+
+Result<DerivedLabels> derive_labels(const ControlMesh& control,
+                                    std::span<const std::uint8_t> depths,
+                                    const SubdivisionSettings& settings, Progress& progress) {
+  const Stopwatch watch;
+  Result<DerivedLabels> derived = settings.scheme == RefinementScheme::kLoop
+                                      ? balance(control, depths)
+                                      : label(control, depths, settings, progress);
+  if (derived) {
+    derived->prediction = predict_derived(control, *derived, kAllLevels);
+    derived->seconds = watch.seconds();
+  }
+  return derived;
+}
+
+RefinementPrediction predict_derived(const ControlMesh& control, const DerivedLabels& labels,
+                                     int levels) {
+  return labels.face_depths.empty() ? predict_refinement(control, labels.legal.labels, levels)
+                                    : predict_loop(control, held_to(labels.face_depths, levels));
 }
 
 /// One refined mesh that nobody uses, for the next refinement to write over.
@@ -80,16 +136,14 @@ struct RefinementSource::Spare {
 RefinementSource::RefinementSource() : spare_(std::make_shared<Spare>()) {}
 RefinementSource::~RefinementSource() = default;
 
-Result<Refinement> RefinementSource::derive(const ControlMesh& control, const VertexLabels& labels,
+Result<Refinement> RefinementSource::derive(const ControlMesh& control, const DerivedLabels& labels,
                                             const RefinementOptions& options, Progress& progress) {
   Refinement derived;
-  derived.prediction = predict_refinement(control, labels, options.levels);
+  derived.prediction = predict_derived(control, labels, options.levels);
   const Stopwatch refining;
   PartOf refine_part(progress, 0.0, 0.7);
   std::unique_ptr<RefinedMesh> mesh = spare_->take();
-  if (auto done = refiner_.refine(control, labels, options.settings,
-                                  {options.levels, options.face_budget, true}, refine_part, *mesh);
-      !done) {
+  if (auto done = refine(control, labels, options, refine_part, *mesh); !done) {
     spare_->put_back(std::move(mesh));
     return tl::unexpected(std::move(done.error()));
   }
@@ -109,7 +163,20 @@ Result<Refinement> RefinementSource::derive(const ControlMesh& control, const Ve
   return derived;
 }
 
-Result<Refinement> derive_refinement(const ControlMesh& control, const VertexLabels& labels,
+Result<void> RefinementSource::refine(const ControlMesh& control, const DerivedLabels& labels,
+                                      const RefinementOptions& options, Progress& progress,
+                                      RefinedMesh& mesh) {
+  if (labels.face_depths.empty()) {
+    return refiner_.refine(control, labels.legal.labels, options.settings,
+                           {options.levels, options.face_budget, true}, progress, mesh);
+  }
+  return refine_by_loop(control, held_to(labels.face_depths, options.levels),
+                        {options.settings.weights, options.settings.corners, options.face_budget},
+                        progress)
+      .map([&mesh](RefinedMesh made) { mesh = std::move(made); });
+}
+
+Result<Refinement> derive_refinement(const ControlMesh& control, const DerivedLabels& labels,
                                      const RefinementOptions& options, Progress& progress) {
   return RefinementSource().derive(control, labels, options, progress);
 }

@@ -29,6 +29,10 @@ std::uint64_t edges_between(std::uint8_t a, std::uint8_t b) {
   return edges_between(lowered(a), middle) + edges_between(middle, lowered(b));
 }
 
+bool is_all_triangles(const RefinedMesh& mesh) {
+  return mesh.quads.empty() && mesh.polygon_vertices.size() == 3 * mesh.polygon_count();
+}
+
 }  // namespace
 
 void BoundaryPaths::find(const ControlMesh& control, const RefinedMesh& refined,
@@ -56,7 +60,7 @@ void BoundaryPaths::follow(const Meshes& meshes, const ControlEdge& edge) {
   const std::uint8_t label_to = meshes.refined->vertex_levels[edge.to];
   std::uint64_t most = edges_between(label_from, label_to);
   std::uint64_t least = std::max(label_from, label_to) <= 1 ? 1 : most;
-  if (meshes.refined->quads.empty()) {
+  if (is_all_triangles(*meshes.refined)) {
     const std::size_t side = side_from(meshes, edge.from, edge.face);
     if (side == kNoSide) {
       return;

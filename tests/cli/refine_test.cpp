@@ -46,6 +46,25 @@ TEST(Refine, OneFaceOfTheCubeToDepthFive) {
   EXPECT_FALSE(refined->report.is_mended());
 }
 
+TEST(Refine, ByLoopOnTriangles) {
+  const ScratchFolder scratch;
+  const ProgramRun run = limn({"refine", "icosahedron", "--adaptive", "loop", "--paint",
+                               "faces=0:=3", "--json", "-o", scratch.file("out.obj")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json numbers = Json::parse(run.out);
+  EXPECT_EQ(numbers["deepened_faces"], 9);
+  EXPECT_EQ(numbers["uniform_faces"], 20 * 64);
+  EXPECT_EQ(numbers["watertight"], true);
+  const auto refined = import_mesh(scratch.file("out.obj"));
+  ASSERT_TRUE(refined) << to_string(refined.error());
+  EXPECT_EQ(refined->mesh->face_count(), numbers["faces"].get<std::size_t>());
+  EXPECT_TRUE(refined->mesh->is_closed());
+
+  const ProgramRun quads = limn({"refine", "cube", "--adaptive", "loop", "--paint", "all:=1"});
+  EXPECT_EQ(quads.exit_code, 1);
+  EXPECT_THAT(quads.err, HasSubstr("Triangulate the mesh first"));
+}
+
 TEST(Refine, RulesApplyInTheOrderGiven) {
   const Json one_after = Json::parse(
       limn({"refine", "cube", "--json", "--paint", "all:=2", "--paint", "faces=0-2:-1"}).out);

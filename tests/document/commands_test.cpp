@@ -147,8 +147,9 @@ TEST(StageCommand, ChangesTheStageAlone) {
 
 TEST(SettingsCommand, ChangesTheSettingsAlone) {
   Document document = open("mixed");
-  const SubdivisionSettings other{NonQuadRule::kWherePainted, LegalisationMethod::kGreedy,
-                                  CornerRule::kSmooth};
+  const SubdivisionSettings other{.non_quads = NonQuadRule::kWherePainted,
+                                  .legalisation = LegalisationMethod::kGreedy,
+                                  .corners = CornerRule::kSmooth};
   const auto command = settings_command(other);
   expect_undoable(document, *command, {false, false, true});
   EXPECT_EQ(document.settings, other);
@@ -308,9 +309,10 @@ class RandomCommands {
         return stage_command({below(2) == 0, static_cast<int>(below(5))}, "stage");
       case 1:
         return settings_command(
-            {below(2) == 0 ? NonQuadRule::kUniformFirstStep : NonQuadRule::kWherePainted,
-             LegalisationMethod::kGreedy,
-             below(2) == 0 ? CornerRule::kSharp : CornerRule::kSmooth});
+            {.non_quads =
+                 below(2) == 0 ? NonQuadRule::kUniformFirstStep : NonQuadRule::kWherePainted,
+             .legalisation = LegalisationMethod::kGreedy,
+             .corners = below(2) == 0 ? CornerRule::kSharp : CornerRule::kSmooth});
       case 2:
         return replace_control_command(meshes_[below(meshes_.size())], "apply");
       case 3:

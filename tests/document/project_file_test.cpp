@@ -38,10 +38,10 @@ TEST_F(ProjectFile, ComesBackAsItWas) {
     for (std::size_t f = 0; f < document.depths.size(); ++f) {
       document.depths.set(f, static_cast<int>(f * 7 % (kMaxDepth + 1)));
     }
-    document.settings = {
-        NonQuadRule::kWherePainted,
-        name == "cube" ? LegalisationMethod::kGreedy : LegalisationMethod::kLookAhead,
-        CornerRule::kSmooth};
+    document.settings = {.non_quads = NonQuadRule::kWherePainted,
+                         .legalisation = name == "cube" ? LegalisationMethod::kGreedy
+                                                        : LegalisationMethod::kLookAhead,
+                         .corners = CornerRule::kSmooth};
     document.stage = {true, 3};
     const ViewState view{{0.1, -1e-30, 3e10}, 1.0 / 3.0, 725.5, -89.9, 20.0, true};
     ASSERT_TRUE(save_project(path_, document, view));

@@ -28,7 +28,7 @@ RefinedMesh refined(const ControlMesh& mesh, const Depths& depths,
                     const SubdivisionSettings& settings = {}) {
   IgnoreProgress progress;
   const DerivedLabels labels = derive_labels(mesh, depths, settings, progress).value();
-  return *derive_refinement(mesh, labels.legal.labels, {settings}, progress).value().mesh;
+  return *derive_refinement(mesh, labels, {settings}, progress).value().mesh;
 }
 
 /// The control mesh of the written text, as another program would read it.

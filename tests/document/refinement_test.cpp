@@ -31,7 +31,7 @@ Refinement refinement_of(const ControlMesh& mesh, std::span<const std::uint8_t> 
                          const RefinementOptions& options = {}) {
   IgnoreProgress progress;
   const DerivedLabels labels = labels_of(mesh, depths, options.settings);
-  return derive_refinement(mesh, labels.legal.labels, options, progress).value();
+  return derive_refinement(mesh, labels, options, progress).value();
 }
 
 /// Stops at the n-th report, and checks that reports rise.
@@ -155,12 +155,12 @@ TEST(DeriveRefinement, OverBudgetIsRefusedAndTheBudgetItselfIsNot) {
   IgnoreProgress progress;
   RefinementOptions options;
   options.face_budget = labels.prediction.faces - 1;
-  const auto refused = derive_refinement(*cube, labels.legal.labels, options, progress);
+  const auto refused = derive_refinement(*cube, labels, options, progress);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::kOverBudget);
   EXPECT_THAT(refused.error().message, ::testing::HasSubstr("228"));
   options.face_budget = labels.prediction.faces;
-  EXPECT_TRUE(derive_refinement(*cube, labels.legal.labels, options, progress));
+  EXPECT_TRUE(derive_refinement(*cube, labels, options, progress));
 }
 
 TEST(DeriveRefinement, StopsWhereverItIsTold) {
@@ -169,7 +169,7 @@ TEST(DeriveRefinement, StopsWhereverItIsTold) {
   int stopped = 0;
   for (int reports = 0; reports < 10000; ++reports) {
     StopAt progress(reports);
-    const auto derived = derive_refinement(*cube, labels.legal.labels, {}, progress);
+    const auto derived = derive_refinement(*cube, labels, {}, progress);
     if (derived) {
       break;
     }
@@ -243,8 +243,10 @@ TEST(RefinementSource, WritesOverWhatNobodyHolds) {
   const auto cube = test::cube();
   IgnoreProgress progress;
   RefinementSource source;
-  const VertexLabels fine(8, 4);
-  const VertexLabels coarse(8, 2);
+  DerivedLabels fine;
+  fine.legal.labels.assign(8, 4);
+  DerivedLabels coarse;
+  coarse.legal.labels.assign(8, 2);
   std::shared_ptr<const RefinedMesh> first = source.derive(*cube, fine, {}, progress).value().mesh;
   const glm::vec3* const memory = first->positions.data();
   const std::vector<glm::vec3> before(first->positions.begin(), first->positions.end());
@@ -258,6 +260,46 @@ TEST(RefinementSource, WritesOverWhatNobodyHolds) {
   EXPECT_EQ(third->positions.data(), memory);
   EXPECT_TRUE(std::ranges::equal(third->positions, before));
   EXPECT_EQ(second->quads.size(), 96u);
+}
+
+TEST(AdaptiveLoop, IsDerivedFromThePainting) {
+  const std::shared_ptr<const ControlMesh> mesh = load_bundled_mesh("icosahedron")->mesh;
+  SubdivisionSettings settings;
+  settings.scheme = RefinementScheme::kLoop;
+  IgnoreProgress progress;
+  std::vector<std::uint8_t> depths(mesh->face_count(), 0);
+  depths[0] = 3;
+  const DerivedLabels labels = derive_labels(*mesh, depths, settings, progress).value();
+  EXPECT_TRUE(labels.illegal_faces.empty());
+  EXPECT_EQ(labels.face_depths[0], 3);
+  // Three beside it to 2, and the six beside those to 1.
+  EXPECT_EQ(labels.deepened_faces, 9u);
+  EXPECT_EQ(labels.prediction.levels, 3);
+  EXPECT_EQ(labels.prediction.uniform_faces, 20u * 64);
+  for (const int levels : {1, 2, kAllLevels}) {
+    const Refinement refinement =
+        derive_refinement(*mesh, labels, {settings, levels}, progress).value();
+    EXPECT_TRUE(refinement.cracks.is_watertight());
+    EXPECT_EQ(refinement.prediction.faces, refinement.mesh->face_count());
+    EXPECT_EQ(refinement.prediction.vertices, refinement.mesh->vertex_count());
+    EXPECT_EQ(refinement.prediction.levels, std::min(levels, 3));
+    EXPECT_EQ(predict_derived(*mesh, labels, levels).faces, refinement.mesh->face_count());
+  }
+  settings.weights = LoopWeights::kWarren;
+  const auto other = derive_refinement(*mesh, labels, {settings}, progress).value().mesh;
+  const auto original = derive_refinement(*mesh, labels, {}, progress).value().mesh;
+  EXPECT_FALSE(std::ranges::equal(other->positions, original->positions));
+}
+
+TEST(AdaptiveLoop, RefusesFacesThatAreNoTriangles) {
+  SubdivisionSettings settings;
+  settings.scheme = RefinementScheme::kLoop;
+  IgnoreProgress progress;
+  const auto labels =
+      derive_labels(*test::cube(), std::vector<std::uint8_t>(6, 1), settings, progress);
+  ASSERT_FALSE(labels);
+  EXPECT_EQ(labels.error().kind, ErrorKind::kFailed);
+  EXPECT_NE(labels.error().message.find("Triangulate"), std::string::npos);
 }
 
 }  // namespace

@@ -200,6 +200,19 @@ TEST_F(SchemeProject, RoundTripsEverySchemeWithItsChoices) {
   }
 }
 
+TEST_F(SchemeProject, RoundTripsAdaptiveLoop) {
+  for (const LoopWeights weights : {LoopWeights::kOriginal, LoopWeights::kWarren}) {
+    Document document = test::opened("icosahedron");
+    document.settings.scheme = RefinementScheme::kLoop;
+    document.settings.weights = weights;
+    ASSERT_TRUE(save_project(path_, document, std::nullopt));
+    const Result<Project> loaded = load_project(path_);
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    test::expect_same_document(loaded->document, document);
+    EXPECT_EQ(loaded->document.settings, document.settings);
+  }
+}
+
 TEST_F(SchemeProject, OlderProgramsAreToldApartOnlyByWhatTheyWouldLose) {
   EXPECT_THAT(cube_text(), HasSubstr("\"version\": 1"));
   EXPECT_THAT(scheme_text(), HasSubstr("\"version\": 3"));

@@ -19,7 +19,8 @@
 /// labels are known long before the refined mesh.
 namespace limn {
 
-/// What a painting asks for, before anything is subdivided.
+/// What a painting asks for, before anything is subdivided. Under RefinementScheme::kLoop nothing
+/// is illegal; faces are deepened instead until neighbours are one level apart at most.
 struct DerivedLabels {
   VertexLabels painted;                         ///< L(v) with the rule for non-quads.
   std::vector<std::uint32_t> illegal_faces;     ///< Under `painted`, ascending.
@@ -28,12 +29,15 @@ struct DerivedLabels {
   /// Vertices that legalisation raised from 0, ascending: those its steps chose and, where faces
   /// that are no quads were raised with them, their other vertices.
   std::vector<std::uint32_t> raised_vertices;
+  /// kLoop alone: balanced, one per face, and how many faces are deeper than painted.
+  std::vector<std::uint8_t> face_depths;
+  std::size_t deepened_faces = 0;
   RefinementPrediction prediction;  ///< Of all the levels the labels ask for.
   double seconds = 0.0;
 };
 
-/// Labels, legalises and predicts. `depths` has one entry per face of `control`.
-/// Errors: kCancelled.
+/// Labels, legalises (or balances) and predicts. `depths` has one entry per face of `control`.
+/// Errors: kCancelled; kFailed where kLoop cannot take the mesh (`check_fits`).
 [[nodiscard]] Result<DerivedLabels> derive_labels(const ControlMesh& control,
                                                   std::span<const std::uint8_t> depths,
                                                   const SubdivisionSettings& settings,
@@ -55,10 +59,15 @@ struct RefinementOptions {
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// Predicts, refines and checks, under one progress. `labels` are legal, from `derive_labels`.
+/// What `derive_refinement` will give after so many levels.
+[[nodiscard]] RefinementPrediction predict_derived(const ControlMesh& control,
+                                                   const DerivedLabels& labels, int levels);
+
+/// Predicts, refines and checks, under one progress. `labels` come from `derive_labels` with the
+/// same settings.
 /// Errors: kOverBudget (with the exact count, before any work), kCancelled.
 [[nodiscard]] Result<Refinement> derive_refinement(const ControlMesh& control,
-                                                   const VertexLabels& labels,
+                                                   const DerivedLabels& labels,
                                                    const RefinementOptions& options,
                                                    Progress& progress);
 
@@ -73,11 +82,15 @@ class RefinementSource {
   RefinementSource& operator=(const RefinementSource&) = delete;
 
   /// As `derive_refinement`.
-  [[nodiscard]] Result<Refinement> derive(const ControlMesh& control, const VertexLabels& labels,
+  [[nodiscard]] Result<Refinement> derive(const ControlMesh& control, const DerivedLabels& labels,
                                           const RefinementOptions& options, Progress& progress);
 
  private:
   struct Spare;
+  [[nodiscard]] Result<void> refine(const ControlMesh& control, const DerivedLabels& labels,
+                                    const RefinementOptions& options, Progress& progress,
+                                    RefinedMesh& mesh);
+
   Refiner refiner_;
   CrackChecker checker_;
   std::shared_ptr<Spare> spare_;

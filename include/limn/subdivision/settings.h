@@ -32,8 +32,23 @@ enum class TextureRule {
   kSmoothInside,  ///< Smooth, but linear along seams and boundaries (linear boundaries).
 };
 
-/// The choices of a label-driven subdivision.
+/// What subdivides the painted faces.
+enum class RefinementScheme {
+  kCatmullClark,  ///< Label-driven, any mesh (subdivision/label_subdivision.h).
+  kLoop,          ///< Triangle meshes (subdivision/schemes/adaptive_loop.h).
+};
+
+/// How much of itself old vertices keep under Loop's scheme: with n neighbours, 1 - n beta.
+enum class LoopWeights {
+  kOriginal,  ///< beta = (1/n) (5/8 - (3/8 + cos(2 pi / n) / 4)^2) (Loop 1987).
+  kWarren,    ///< beta = 3 / (8 n), and 3/16 for n = 3 (Warren 1995).
+};
+
+/// The choices of an adaptive subdivision. Those of rules for non-quads, legalisation, positions
+/// and texture are Catmull-Clark's, the weights are Loop's.
 struct SubdivisionSettings {
+  RefinementScheme scheme = RefinementScheme::kCatmullClark;
+  LoopWeights weights = LoopWeights::kOriginal;
   NonQuadRule non_quads = NonQuadRule::kUniformFirstStep;
   LegalisationMethod legalisation = LegalisationMethod::kLookAhead;
   CornerRule corners = CornerRule::kSharp;

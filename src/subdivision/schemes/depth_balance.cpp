@@ -43,8 +43,8 @@ std::vector<std::uint8_t> balanced_depths(const ControlMesh& mesh,
   return balanced;
 }
 
-// A face of depth d has (2^d - 1) (2^d - 2) / 2 vertices within; an edge is as fine as the deeper of
-// its faces, and each of the coarser one's 2^d triangles along it is cut in two more.
+// A face of depth d has (2^d - 1) (2^d - 2) / 2 vertices within; an edge is as fine as the deeper
+// of its faces, and each of the coarser one's 2^d triangles along it is cut in two more.
 SchemeCounts predict_adaptive_loop(const ControlMesh& mesh, std::span<const std::uint8_t> depths) {
   const FlatTopology& flat = mesh.topology();
   SchemeCounts counts;

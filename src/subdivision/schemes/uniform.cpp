@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
-#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -152,50 +151,89 @@ void put_faces(LevelFaces faces, int level, RefinedMesh& mesh) {
   mesh.polygon_vertices = std::move(faces.corners);
 }
 
-/// What of the sharpness is left one level on. Edge e has become 2 e and 2 e + 1, with its middle
-/// behind the old vertices.
-void put_creases(const LevelMesh& from, const LevelMesh& to, RefinedMesh& mesh) {
+void add_crease(std::uint32_t a, std::uint32_t b, float sharpness, RefinedMesh& mesh) {
+  if (sharpness > 0.0f) {
+    mesh.creases.push_back({{std::min(a, b), std::max(a, b)}, sharpness});
+  }
+}
+
+void put_corners(const LevelMesh& level, RefinedMesh& mesh) {
+  for (std::uint32_t v = 0; v < level.vertex_sharpness.size(); ++v) {
+    if (level.vertex_sharpness[v] > 0.0f) {
+      mesh.corners.push_back({v, level.vertex_sharpness[v]});
+    }
+  }
+}
+
+void sort_creases(RefinedMesh& mesh) {
+  std::ranges::sort(mesh.creases, {}, &RefinedCrease::vertices);
+}
+
+/// What is sharp at a level.
+void put_creases(const LevelMesh& level, RefinedMesh& mesh) {
+  for (std::uint32_t h = 0; h < level.half_edge_count() && !level.edge_sharpness.empty(); ++h) {
+    if (level.is_first(h) && level.twins[h] != kNone) {
+      add_crease(level.start(h), level.end(h), level.edge_sharpness[level.edges[h]], mesh);
+    }
+  }
+  put_corners(level, mesh);
+  sort_creases(mesh);
+}
+
+/// The same of the level after `from`, of which only the sharpness is there. Edge e has become 2 e
+/// and 2 e + 1, with its middle behind the old vertices.
+void put_creases_after(const LevelMesh& from, const LevelMesh& to, RefinedMesh& mesh) {
   const auto old = static_cast<std::uint32_t>(from.vertex_count());
-  const auto put = [&](std::uint32_t a, std::uint32_t b, float sharpness) {
-    if (sharpness > 0.0f) {
-      mesh.creases.push_back({{a, b}, sharpness});
-    }
-  };
-  if (!to.edge_sharpness.empty()) {
-    for (std::uint32_t h = 0; h < from.half_edge_count(); ++h) {
-      if (from.is_first(h) && from.twins[h] != kNone) {
-        const std::uint32_t e = from.edges[h];
-        put(from.start(h), old + e, to.edge_sharpness[2 * std::size_t{e}]);
-        put(old + e, from.end(h), to.edge_sharpness[2 * std::size_t{e} + 1]);
-      }
+  for (std::uint32_t h = 0; h < from.half_edge_count() && !to.edge_sharpness.empty(); ++h) {
+    if (from.is_first(h) && from.twins[h] != kNone) {
+      const std::uint32_t e = from.edges[h];
+      add_crease(from.start(h), old + e, to.edge_sharpness[2 * std::size_t{e}], mesh);
+      add_crease(old + e, from.end(h), to.edge_sharpness[2 * std::size_t{e} + 1], mesh);
     }
   }
-  for (std::uint32_t v = 0; v < to.vertex_sharpness.size(); ++v) {
-    if (to.vertex_sharpness[v] > 0.0f) {
-      mesh.corners.push_back({v, to.vertex_sharpness[v]});
-    }
+  put_corners(to, mesh);
+  sort_creases(mesh);
+}
+
+/// A result of `level` with everything but what is sharp and where points lie.
+RefinedMesh result_of(const ControlMesh& control, const SchemeSettings& settings, LevelFaces faces,
+                      int level, std::size_t vertices) {
+  RefinedMesh mesh;
+  mesh.origin = origin_of(control.bounds());
+  put_faces(std::move(faces), level, mesh);
+  mesh.creasing = control.creases().method;
+  if (!control.is_closed()) {
+    mesh.corner_rule = settings.corners;
   }
+  mesh.positions.resize(vertices);
+  mesh.vertex_levels.assign(vertices, static_cast<std::uint8_t>(level));
+  return mesh;
+}
+
+/// A level as a result.
+RefinedMesh mesh_of(const LevelMesh& level, const ControlMesh& control,
+                    const SchemeSettings& settings) {
+  RefinedMesh mesh = result_of(control, settings, level.faces, level.level, level.vertex_count());
+  if (rules_of(settings.scheme).has_creases) {
+    put_creases(level, mesh);
+  }
+  for (std::size_t v = 0; v < level.vertex_count(); ++v) {
+    mesh.positions[v] = glm::vec3(to_vec3(level.points[v]));
+  }
+  return mesh;
 }
 
 /// The level after `from` as a result.
 RefinedMesh last_level(const LevelMesh& from, const ControlMesh& control,
                        const SchemeSettings& settings) {
   const SchemeRules& rules = rules_of(settings.scheme);
-  const std::size_t vertices = rules.vertex_count(from);
-  RefinedMesh mesh;
-  mesh.origin = origin_of(control.bounds());
-  put_faces(rules.split(from), from.level + 1, mesh);
+  RefinedMesh mesh =
+      result_of(control, settings, rules.split(from), from.level + 1, rules.vertex_count(from));
   LevelMesh sharpness;
   pass_sharpness(from, rules, sharpness);
   if (rules.has_creases) {
-    put_creases(from, sharpness, mesh);
+    put_creases_after(from, sharpness, mesh);
   }
-  mesh.creasing = from.creasing;
-  if (!control.is_closed()) {
-    mesh.corner_rule = settings.corners;
-  }
-  mesh.positions.resize(vertices);
-  mesh.vertex_levels.assign(vertices, static_cast<std::uint8_t>(from.level + 1));
   rules.place(from, settings, sharpness, {nullptr, mesh.positions.data()});
   return mesh;
 }
@@ -238,16 +276,16 @@ Result<RefinedMesh> subdivide(const ControlMesh& mesh, const SchemeSettings& set
   return result;
 }
 
-/// The level is kept one behind, where `last_level` makes the one asked for of it.
 struct SchemeLevels::State {
   ControlMesh control;
   SchemeSettings settings;
   int level = 0;
-  std::optional<LevelMesh> before;  ///< Level `level - 1`; none at level 0 and for Catmull-Clark.
+  LevelMesh mesh;       ///< From level 1 on; of Catmull-Clark
+  RefinedMesh refined;  ///< this, at all levels.
 };
 
 SchemeLevels::SchemeLevels(const ControlMesh& mesh, const SchemeSettings& settings)
-    : state_(std::make_unique<State>(State{mesh, settings, 0, {}})) {
+    : state_(std::make_unique<State>(State{mesh, settings, 0, {}, {}})) {
   LIMN_EXPECTS(check_fits(mesh, settings.scheme).has_value());
 }
 SchemeLevels::~SchemeLevels() = default;
@@ -269,13 +307,20 @@ Result<void> SchemeLevels::advance(std::uint64_t face_budget, Progress& progress
   if (Result<void> affordable = check_budget(next, face_budget); !affordable) {
     return affordable;
   }
-  if (!progress.report(0.0, fmt::format("{}, level {}", scheme_info(state.settings.scheme).title,
-                                        state.level + 1))) {
+  const SchemeInfo& info = scheme_info(state.settings.scheme);
+  if (!progress.report(0.0, fmt::format("{}, level {}", info.title, state.level + 1))) {
     return cancelled_scheme();
   }
-  if (state.settings.scheme != Scheme::kCatmullClark) {
-    state.before = state.level == 0 ? first_level(state.control, state.settings)
-                                    : next_level(*state.before, state.settings);
+  if (state.settings.scheme == Scheme::kCatmullClark) {
+    Result<RefinedMesh> refined =
+        refine_everywhere(state.control, state.settings, state.level + 1, face_budget, progress);
+    if (!refined) {
+      return tl::unexpected(std::move(refined.error()));
+    }
+    state.refined = *std::move(refined);
+  } else {
+    state.mesh = next_level(
+        state.level == 0 ? first_level(state.control, state.settings) : state.mesh, state.settings);
   }
   ++state.level;
   return {};
@@ -283,12 +328,14 @@ Result<void> SchemeLevels::advance(std::uint64_t face_budget, Progress& progress
 
 RefinedMesh SchemeLevels::mesh() const {
   const State& state = *state_;
-  if (state.before) {
-    return last_level(*state.before, state.control, state.settings);
+  if (state.level == 0) {
+    IgnoreProgress nobody;
+    return *refine_everywhere(state.control, state.settings, 0,
+                              std::numeric_limits<std::uint64_t>::max(), nobody);
   }
-  IgnoreProgress nobody;
-  return *refine_everywhere(state.control, state.settings, state.level,
-                            std::numeric_limits<std::uint64_t>::max(), nobody);
+  return state.settings.scheme == Scheme::kCatmullClark
+             ? state.refined
+             : mesh_of(state.mesh, state.control, state.settings);
 }
 
 }  // namespace limn

@@ -10,6 +10,7 @@
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/creases.h"
+#include "limn/subdivision/settings.h"
 
 namespace limn {
 
@@ -30,12 +31,6 @@ inline constexpr std::size_t kSchemeCount = static_cast<std::size_t>(Scheme::kBi
 
 /// Which faces a scheme takes.
 enum class FaceKinds : std::uint8_t { kAny, kTriangles, kQuads };
-
-/// How much of itself old vertices keep under Loop's scheme: with n neighbours, 1 - n beta.
-enum class LoopWeights : std::uint8_t {
-  kOriginal,  ///< beta = (1/n) (5/8 - (3/8 + cos(2 pi / n) / 4)^2) (Loop 1987).
-  kWarren,    ///< beta = 3 / (8 n), and 3/16 for n = 3 (Warren 1995).
-};
 
 /// What a person should know of a scheme before choosing it.
 struct SchemeInfo {
