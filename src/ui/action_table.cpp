@@ -173,9 +173,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "the refined mesh what is still sharp is drawn."},
     {kToggleFaces, kDisplay, ValueKind::kToggle, "Faces",
      "Fill the faces. Without them the edges alone are drawn, and one sees through the mesh."},
-    {kToggleValences, kDisplay, ValueKind::kToggle, "Irregular vertices",
-     "Mark the vertices that have not as many edges as in a regular grid (6 among triangles, "
-     "otherwise 4), with that number."},
+    {kToggleValences, kDisplay, ValueKind::kToggle, "Valences",
+     "Mark irregular vertices, those that have not as many edges as in a regular grid (6 among "
+     "triangles, otherwise 4), with how many they have."},
     {kThemeDark, kDisplay, kNothing, "Dark theme", "Light text on a dark ground."},
     {kThemeLight, kDisplay, kNothing, "Light theme", "Dark text on a light ground."},
 

@@ -58,7 +58,10 @@ void action_combo(PanelContext& context, ActionId what, std::span<const ComboEnt
       const bool is_on = is_checked(context.model, entry.action);
       const bool is_pressed =
           ImGui::Selectable(entry.label.c_str(), is_on, 0, {width - context.px(20), 0.0F});
+      // Beside the list: it would hide the entries below.
+      context.tooltip_corner = ImVec2(low.x - context.px(28), ImGui::GetItemRectMin().y);
       explain(context, entry.label, entry.meaning);
+      context.tooltip_corner.reset();
       remember(context, name + ": " + entry.label);
       if (is_pressed && !is_on) {
         context.emit(entry.action);

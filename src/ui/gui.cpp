@@ -201,7 +201,7 @@ GuiFrame Gui::frame(const Model& model, const InputFrame& input, WindowSize wind
 
   PanelContext context{
       model,        input,       state.ui,    state.fonts, theme_colours(model.display.theme),
-      state.unit(), out.actions, state.items, {}};
+      state.unit(), out.actions, state.items, {},          {}};
   const double unit = state.scale.interface;
   state.ui.awaits_tooltip = false;
   const double top = static_cast<double>(draw_menu_bar(context));

@@ -53,7 +53,7 @@ void group(PanelContext& context, ActionGroup which) {
   group_title(context, heading(which));
   const KeymapId keymap = context.model.keymap;
   for (const ActionInfo& action : action_table()) {
-    const bool is_with_number = action.value == ValueKind::kInt;
+    const bool is_with_number = action.id == ActionId::kSetTargetDepth;
     const std::string keys =
         is_with_number ? std::string("0 to 9, Shift+0 for 10") : all_keys_text(keymap, action.id);
     if (action.group == which && !keys.empty()) {
@@ -92,6 +92,8 @@ void draw_help_sheet(PanelContext& context) {
       line(context, entry.what, entry.how);
     }
     group(context, ActionGroup::kPaint);
+    group(context, ActionGroup::kSchemes);
+    group(context, ActionGroup::kEdges);
     group(context, ActionGroup::kProgram);
   });
   if (is_wide) {

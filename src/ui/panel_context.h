@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -45,6 +46,8 @@ struct PanelContext {
   float unit;  ///< Window units per design unit.
   std::vector<Action>& actions;
   std::vector<ItemRect>& items;
+  /// Where the upper right corner of the next tooltip goes; nothing: beside the cursor.
+  std::optional<ImVec2> tooltip_corner{};
   std::string hint;  ///< What the control under the cursor does; for the status line.
 
   [[nodiscard]] float px(float design_units) const { return design_units * unit; }

@@ -138,6 +138,9 @@ void explain(PanelContext& context, std::string_view title, std::string_view tex
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(12), context.px(10)});
+  if (context.tooltip_corner) {
+    ImGui::SetNextWindowPos(*context.tooltip_corner, ImGuiCond_Always, {1.0F, 0.0F});
+  }
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(context.px(300));
   ImGui::PushFont(context.fonts.body_strong);

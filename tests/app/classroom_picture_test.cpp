@@ -104,6 +104,12 @@ TEST_F(ClassroomPicture, IrregularVerticesOfTheControlMesh) {
   EXPECT_TRUE(test::matches_golden(desk_.viewport_of(desk_.picture()), "valences_control"));
 }
 
+TEST_F(ClassroomPicture, TheEdgeUnderTheCursor) {
+  perform({{kSetScheme, std::string("loop")}, {kSetSchemeLevel, 1}, kToolFlipEdge});
+  desk_.session().set_hover_edge(11);
+  EXPECT_TRUE(test::matches_golden(desk_.viewport_of(desk_.picture()), "edge_highlighted"));
+}
+
 TEST_F(ClassroomPicture, EdgesAlone) {
   perform({{kToggleFaces, false}});
   EXPECT_TRUE(test::matches_golden(desk_.viewport_of(desk_.picture()), "edges_alone"));

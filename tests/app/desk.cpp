@@ -78,7 +78,9 @@ render::Image Desk::picture() {
                                      pixel(halves.first.size.height)};
   session_.set_aspect(half.aspect());
   EXPECT_TRUE(scene_.sync(session_));
-  scene_.draw(session_, half, {});
+  ViewportLook look;
+  look.edge = session_.hover_edge();
+  scene_.draw(session_, half, look);
 
   const glm::ivec2 size(pixel(size_.width), pixel(size_.height));
   const render::gl::Texture colour = render::gl::Texture::create_2d(size, GL_RGBA8, "desk");
