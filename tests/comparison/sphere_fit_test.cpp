@@ -230,6 +230,43 @@ TEST(SphereFit, IsNothingWherePointsDetermineNone) {
   EXPECT_FALSE(fit_sphere(saddle));
 }
 
+/// Both have a middle plane that they are nearer to than to any sphere.
+TEST(SphereFit, IsNothingWhereAPlaneIsNearer) {
+  for (const char* name : {"creature", "torus_open"}) {
+    EXPECT_FALSE(fit_sphere(load_bundled_mesh(name)->mesh->positions())) << name;
+  }
+}
+
+/// In clouds of any shape it is not led away from a nearer sphere by a valley that ends in a plane.
+TEST(SphereFit, IsNoFartherThanTheBestPlaneOrSphereInSight) {
+  Random random(5);
+  std::normal_distribution<double> normal;
+  int fitted = 0;
+  for (int i = 0; i < 100; ++i) {
+    const glm::dvec3 spread(1.0, 0.4 + 0.006 * i, 0.3 + 0.007 * i);
+    Points points;
+    for (int j = 0; j < 40; ++j) {
+      const glm::dvec3 direction = random_direction(random);
+      points.push_back(spread * direction * (1.0 + 0.1 * normal(random)));
+    }
+    const auto fit = fit_sphere(points);
+    if (!fit) {
+      continue;
+    }
+    ++fitted;
+    const double best = squares(points, fit->centre, fit->radius);
+    for (int j = 0; j < 200; ++j) {
+      const glm::dvec3 centre = 0.3 * std::abs(normal(random)) * random_direction(random);
+      double mean = 0.0;
+      for (const glm::dvec3& p : points) {
+        mean += glm::distance(p, centre) / 40.0;
+      }
+      ASSERT_GE(squares(points, centre, mean), best) << i;
+    }
+  }
+  EXPECT_GT(fitted, 60);
+}
+
 TEST(CompareWithSphere, HoldsEveryLevelAgainstItsOwnSphere) {
   const MeshPointer mesh = load_bundled_mesh("icosahedron")->mesh;
   for (const Scheme scheme : {Scheme::kLoop, Scheme::kCatmullClark, Scheme::kDooSabin}) {

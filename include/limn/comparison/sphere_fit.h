@@ -24,8 +24,9 @@ struct SphereFit {
 };
 
 /// The least-squares sphere: it minimises the sum of squares of the distances to the sphere
-/// (geometric, by Gauss-Newton from the algebraic fit). Nothing where no sphere is determined:
-/// fewer than four points, or all of them in a plane.
+/// (geometric, by Newton's method from the algebraic fit and from the points' mean). Nothing where
+/// no sphere is determined: fewer than four points, all of them in a plane, or points that are as
+/// near to a plane, which is a sphere of infinite radius.
 [[nodiscard]] std::optional<SphereFit> fit_sphere(std::span<const glm::dvec3> points);
 
 /// A row of the table that compares a scheme with a sphere.
