@@ -202,6 +202,45 @@ TEST(Symmetrise, FindsTheDiagonalsOfAFinerCube) {
   EXPECT_EQ(group_of(*symmetrise(*mesh, SymmetriseBy::kFlipAlternately)->mesh), (Group{24, 4}));
 }
 
+TEST(Symmetrise, RefusesToDoubleADiagonal) {
+  // A flat pillow of two squares back to back, one cut either way: both would take one diagonal.
+  const MeshPointer pillow = control_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                          {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {1, 3, 2}});
+  const auto refused = symmetrise(*pillow, SymmetriseBy::kFlipToAxis);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("doubled"));
+  EXPECT_TRUE(symmetrise(*pillow, SymmetriseBy::kSplit));
+}
+
+/// Flat meshes with vertices of many valences: what comes of them is a manifold of the same kind,
+/// with as many faces as pairs were split, or none more.
+TEST(Symmetrise, KeepsManifolds) {
+  Random random(31);
+  for (int i = 0; i < 30; ++i) {
+    PolygonSoup soup = triangulated(grid_soup(5, 4));
+    for (glm::dvec3& p : soup.positions) {
+      p.z = 0.0;
+    }
+    MeshPointer mesh = control_mesh(soup);
+    for (int flips = 0; flips < i; ++flips) {
+      const auto flipped =
+          flip_edge(*mesh, static_cast<std::uint32_t>(random() % mesh->edge_count()));
+      mesh = flipped ? *flipped : mesh;
+    }
+    for (const SymmetriseBy by :
+         {SymmetriseBy::kSplit, SymmetriseBy::kFlipToAxis, SymmetriseBy::kFlipAlternately}) {
+      const auto result = symmetrise(*mesh, by);
+      if (!result) {
+        EXPECT_EQ(by, SymmetriseBy::kFlipAlternately) << result.error().message;
+        continue;
+      }
+      EXPECT_TRUE(is_manifold(faces_of(*result->mesh), result->mesh->vertex_count()));
+      EXPECT_EQ(result->mesh->face_count(),
+                mesh->face_count() + (by == SymmetriseBy::kSplit ? 2 * result->pairs : 0));
+    }
+  }
+}
+
 TEST(Symmetrise, RefusesQuads) {
   const auto refused = symmetrise(*cube(), SymmetriseBy::kSplit);
   ASSERT_FALSE(refused);
