@@ -141,9 +141,9 @@ ui::RefinementStatus LiveRefinement::status() const {
   if (newest_) {
     const DerivedLabels& labels = *newest_->labels;
     status.prediction = &labels.prediction;
-    status.legality =
-        ui::LegalityStatus{labels.illegal_faces.size(), labels.illegal_vertices.size(),
-                           labels.raised_vertices.size(), newest_->illegal_left};
+    status.legality = ui::LegalityStatus{
+        labels.illegal_faces.size(), labels.illegal_vertices.size(), labels.raised_vertices.size(),
+        labels.deepened_faces, newest_->illegal_left};
   }
   if (refined_) {
     status.result = result_of(*refined_);

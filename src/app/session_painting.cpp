@@ -216,6 +216,16 @@ bool Session::perform_subdivision(const ui::Action& action) {
     case kApply:
       apply_refined();
       return true;
+    case kAdaptiveCatmullClark:
+      settings.scheme = RefinementScheme::kCatmullClark;
+      change_settings(settings);
+      return true;
+    case kAdaptiveLoop:
+    case kAdaptiveLoopWarren:
+      settings.scheme = RefinementScheme::kLoop;
+      settings.weights = action.id == kAdaptiveLoop ? LoopWeights::kOriginal : LoopWeights::kWarren;
+      change_settings(settings);
+      return true;
     case kLegaliseLookAhead:
       settings.legalisation = LegalisationMethod::kLookAhead;
       change_settings(settings);

@@ -63,6 +63,9 @@ enum class ActionId : std::uint8_t {
   kSubdivideOneLevel,  ///< One level more than is shown now.
   kBackToControl,      ///< Stage 0: nothing subdivided, labels as painted.
   kApply,              ///< The refined mesh becomes the control mesh.
+  kAdaptiveCatmullClark,
+  kAdaptiveLoop,        ///< With Loop's weights.
+  kAdaptiveLoopWarren,  ///< With Warren's.
   kLegaliseLookAhead,
   kLegaliseGreedy,
   kNonQuadsUniformFirstStep,

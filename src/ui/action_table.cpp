@@ -90,6 +90,14 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kApply, kRefine, kNothing, "Apply as control mesh",
      "Make the refined mesh the new control mesh, unpainted. From then on it is a mesh of its own "
      "with another limit surface. Can be undone."},
+    {kAdaptiveCatmullClark, kRefine, kNothing, "Paint Catmull-Clark",
+     "Painted faces are subdivided by label-driven Catmull-Clark, on any mesh."},
+    {kAdaptiveLoop, kRefine, kNothing, "Paint Loop",
+     "Painted triangles are subdivided by Loop's scheme with his weights. Faces that share an edge "
+     "are kept within one level of each other, and triangle fans close the steps. Triangle meshes "
+     "only."},
+    {kAdaptiveLoopWarren, kRefine, kNothing, "Paint Loop, Warren's weights",
+     "The same with Warren's simpler weights. Triangle meshes only."},
     {kLegaliseLookAhead, kRefine, kNothing, "Look ahead",
      "Raise the vertices that mend the most for the fewest faces, look one further ahead, and take "
      "back what proves needless. Never gives more faces than the published order."},

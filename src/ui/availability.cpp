@@ -40,6 +40,10 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kExportRefined:
     case ActionId::kApply:
       return model.refinement.result.has_value() && !model.refinement.running;
+    case ActionId::kAdaptiveLoop:
+    case ActionId::kAdaptiveLoopWarren:
+      return model.statistics.faces_by_sides.size() == 1 &&
+             model.statistics.faces_by_sides.contains(3);
     case ActionId::kClearCreases:
       return model.statistics.crease_edges + model.statistics.sharp_vertices > 0;
     case ActionId::kTextureSmoothInside:
@@ -114,6 +118,13 @@ bool is_checked(const Model& model, const Action& action) {
       return model.brush.sets_depth;
     case ActionId::kSetTargetDepth:
       return action.value == ActionValue(model.brush.target_depth);
+    case ActionId::kAdaptiveCatmullClark:
+      return settings.scheme == RefinementScheme::kCatmullClark;
+    case ActionId::kAdaptiveLoop:
+      return settings.scheme == RefinementScheme::kLoop &&
+             settings.weights == LoopWeights::kOriginal;
+    case ActionId::kAdaptiveLoopWarren:
+      return settings.scheme == RefinementScheme::kLoop && settings.weights == LoopWeights::kWarren;
     case ActionId::kLegaliseLookAhead:
       return settings.legalisation == LegalisationMethod::kLookAhead;
     case ActionId::kLegaliseGreedy:

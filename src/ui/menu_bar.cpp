@@ -96,6 +96,10 @@ void mesh_menu(PanelContext& context) {
   }
   items(context, {kSubdivide, kSubdivideOneLevel, kBackToControl, kRemoveIllegal});
   ImGui::Separator();
+  if (begin_menu(context, "Painted faces")) {
+    items(context, {kAdaptiveCatmullClark, kAdaptiveLoop, kAdaptiveLoopWarren});
+    ImGui::EndMenu();
+  }
   if (begin_menu(context, "Illegal vertices")) {
     items(context, {kLegaliseLookAhead, kLegaliseGreedy});
     ImGui::EndMenu();

@@ -95,11 +95,12 @@ struct RefinementResult {
   const CrackCheck* cracks = nullptr;  ///< Null where it has not been checked yet.
 };
 
-/// Labels of the painting, before and after legalisation.
+/// Labels of the painting, before and after legalisation; of Loop's scheme only what was deepened.
 struct LegalityStatus {
   std::size_t illegal_faces = 0;     ///< As painted.
   std::size_t illegal_vertices = 0;  ///< As painted.
   std::size_t relabelled = 0;        ///< Vertices that legalisation raises to 1.
+  std::size_t deepened = 0;          ///< Faces made deeper than painted, for Loop's scheme.
   std::size_t left = 0;              ///< Illegal faces afterwards: 0, or Limn has a bug.
 };
 

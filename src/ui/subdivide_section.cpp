@@ -34,24 +34,10 @@ std::string prediction_text(const RefinementPrediction* prediction) {
                       static_cast<double>(prediction->uniform_faces));
 }
 
-}  // namespace
-
-void draw_subdivide_section(PanelContext& context) {
-  const RefinementStatus& refinement = context.model.refinement;
-  value_row(context, {.label = "To the end",
-                      .value = prediction_text(refinement.prediction),
-                      .meaning = "What subdividing gives for the painting as it is, known exactly "
-                                 "beforehand, and its part of what uniform subdivision to the same "
-                                 "depth would give."});
-  if (refinement.running && !context.model.document.scheme) {
-    draw_progress(context, *refinement.running,
-                  refinement.prediction != nullptr ? std::optional(refinement.prediction->faces)
-                                                   : std::nullopt);
-  } else {
-    steps(context);
-  }
-
+/// What Catmull-Clark's labels want.
+void legalisation(PanelContext& context) {
   sub_heading(context, "Illegal vertices");
+  const RefinementStatus& refinement = context.model.refinement;
   const LegalityStatus legality = refinement.legality.value_or(LegalityStatus{});
   value_row(context,
             {.label = "As painted",
@@ -72,16 +58,57 @@ void draw_subdivide_section(PanelContext& context) {
   sub_heading(context, "Faces that are not quads");
   action_choice(context, std::array{Choice{kNonQuadsUniformFirstStep, "Split all once"},
                                     Choice{kNonQuadsWherePainted, "Where painted"}});
+}
+
+/// What Loop's depths want.
+void balance(PanelContext& context) {
+  const std::optional<LegalityStatus>& legality = context.model.refinement.legality;
+  sub_heading(context, "Steps between faces");
+  value_row(context, {.label = "Deepened to one level",
+                      .value = legality ? counted(legality->deepened, "face") : std::string("…"),
+                      .meaning = "Faces beside deeper ones that are refined further than they are "
+                                 "painted, so that faces sharing an edge differ by one level."});
+}
+
+}  // namespace
+
+void draw_subdivide_section(PanelContext& context) {
+  const RefinementStatus& refinement = context.model.refinement;
+  value_row(context, {.label = "To the end",
+                      .value = prediction_text(refinement.prediction),
+                      .meaning = "What subdividing gives for the painting as it is, known exactly "
+                                 "beforehand, and its part of what uniform subdivision to the same "
+                                 "depth would give."});
+  if (refinement.running && !context.model.document.scheme) {
+    draw_progress(context, *refinement.running,
+                  refinement.prediction != nullptr ? std::optional(refinement.prediction->faces)
+                                                   : std::nullopt);
+  } else {
+    steps(context);
+  }
+
+  sub_heading(context, "Painted faces by");
+  action_choice(context, std::array{Choice{kAdaptiveCatmullClark, "Catmull-Clark"},
+                                    Choice{kAdaptiveLoop, "Loop"},
+                                    Choice{kAdaptiveLoopWarren, "Warren"}});
+  const bool is_loop = context.model.document.settings.scheme == RefinementScheme::kLoop;
+  if (is_loop) {
+    balance(context);
+  } else {
+    legalisation(context);
+  }
   sub_heading(context, "Boundary corners");
   action_choice(context,
                 std::array{Choice{kCornersSharp, "Stay"}, Choice{kCornersSmooth, "Round off"}});
 
-  sub_heading(context, "Vertices");
-  action_choice(context, std::array{Choice{kPointsLevel, "At their level"},
-                                    Choice{kPointsLimit, "On the limit"}});
-  sub_heading(context, "Texture coordinates");
-  action_choice(context, std::array{Choice{kTextureSmoothInside, "Smooth inside"},
-                                    Choice{kTextureLinear, "Linear"}});
+  if (!is_loop) {
+    sub_heading(context, "Vertices");
+    action_choice(context, std::array{Choice{kPointsLevel, "At their level"},
+                                      Choice{kPointsLimit, "On the limit"}});
+    sub_heading(context, "Texture coordinates");
+    action_choice(context, std::array{Choice{kTextureSmoothInside, "Smooth inside"},
+                                      Choice{kTextureLinear, "Linear"}});
+  }
 
   sub_heading(context, "Control mesh");
   const float gap = context.px(6);

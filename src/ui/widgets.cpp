@@ -266,14 +266,16 @@ void action_choice(PanelContext& context, std::span<const Choice> choices) {
     const bool is_pressed =
         ImGui::InvisibleButton(widget_id(action).c_str(), {right - left, height});
     const bool is_on = is_checked(context.model, action);
+    const bool is_offered = is_available(context.model, action);
     if (is_on) {
       list.AddRectFilled({left + inset, origin.y + inset},
                          {right - inset, origin.y + height - inset}, c.selected, context.px(4));
     }
-    draw_centred(is_on || ImGui::IsItemHovered() ? c.text : c.dim_text, choices[i].label);
+    const ImU32 ink = is_on || ImGui::IsItemHovered() ? c.text : c.dim_text;
+    draw_centred(is_offered ? ink : faded(c.dim_text, 0.6F), choices[i].label);
     explain(context, action);
     remember(context, choices[i].label);
-    if (is_pressed && !is_on) {
+    if (is_pressed && !is_on && is_offered) {
       context.emit(action);
     }
   }

@@ -51,6 +51,21 @@ TEST(Panels, ASwatchSetsTheTargetDepthAndMakesTheBrushUseIt) {
   EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kSetTargetDepth, 10)));
 }
 
+TEST(Panels, TrianglesMayBePaintedByLoop) {
+  Screen screen({1280, 1800});
+  screen.statistics.faces_by_sides = {{3, 20}, {4, 1}};
+  screen.click("Loop");  // One face is a quad.
+  EXPECT_THAT(screen.take_actions(), IsEmpty());
+  screen.statistics.faces_by_sides = {{3, 20}};
+  screen.click("Loop");
+  screen.click("Warren");
+  EXPECT_THAT(screen.take_actions(),
+              ElementsAre(Action(ActionId::kAdaptiveLoop), Action(ActionId::kAdaptiveLoopWarren)));
+  screen.document.settings.scheme = RefinementScheme::kLoop;
+  screen.click("Catmull-Clark");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kAdaptiveCatmullClark)));
+}
+
 TEST(Panels, TheWayToRemoveIllegalVerticesIsAChoice) {
   Screen screen({1280, 1800});
   screen.click("Greedy");
@@ -325,7 +340,7 @@ TEST(Panels, NothingMovesWhenNumbersGrow) {
   result.cracks = &screen.cracks;
   result.bytes = 12'345'678'901;
   screen.model.refinement.result = result;
-  screen.model.refinement.legality = LegalityStatus{1'000'000, 2'000'000, 3'000'000, 0};
+  screen.model.refinement.legality = LegalityStatus{1'000'000, 2'000'000, 3'000'000, 0, 0};
   screen.model.hover = HoverInfo{98'765'432, 7, 4};
   screen.model.history.bytes = 123'456'789;
   screen.settle();
@@ -370,7 +385,7 @@ TEST(Panels, EveryActionIsReachable) {
     screen.settle();
   }
   for (const char* sub_menu :
-       {"menu: Illegal vertices", "menu: Faces that are not quads", "menu: Boundary corners",
+       {"menu: Painted faces", "menu: Illegal vertices", "menu: Faces that are not quads", "menu: Boundary corners",
         "menu: Vertices", "menu: Texture coordinates"}) {
     screen.click("menu: Mesh");
     screen.click(sub_menu);
