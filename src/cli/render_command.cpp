@@ -126,8 +126,9 @@ void add_render_scheme_options(CLI::App& command, SchemeOptions& options) {
   CLI::Option* scheme = command.get_option("--scheme");
   scheme->description("Draw the mesh subdivided by a uniform scheme instead: " + scheme_words() +
                       "; --levels says how often (1)");
-  for (const char* name : {"--paint", "--legalize", "--non-quads", "--positions", "--texture",
-                           "--refine-on", "--labels", "--illegal"}) {
+  for (const char* name :
+       {"--paint", "--legalize", "--non-quads", "--positions", "--texture", "--adaptive",
+        "--adaptive-weights", "--refine-on", "--labels", "--illegal"}) {
     scheme->excludes(name);
   }
   for (const char* name : {"--weights", "--average", "--fit"}) {

@@ -115,10 +115,16 @@ TEST_F(Render, SchemesShowTheirChoices) {
                              "cli_scheme_linear_averaged"));
 }
 
+TEST_F(Render, SphereWithFourFacesByAdaptiveLoop) {
+  expect_before_and_after(
+      {"sphere", "--paint", "faces=0-3:=3", "--adaptive", "loop", "--view", "iso"},
+      "cli_adaptive_loop");
+}
+
 TEST_F(Render, SchemesGoWithNoPainting) {
   for (const Words& words :
        {Words{"--paint", "all:+1"}, Words{"--labels"}, Words{"--refine-on", "gpu"},
-        Words{"--weights", "warren"}, Words{"--levels", "13"}}) {
+        Words{"--adaptive", "loop"}, Words{"--weights", "warren"}, Words{"--levels", "13"}}) {
     Words all = {"render", "cube", "--scheme", "doo-sabin", "-o", "unwritten.png"};
     all.insert(all.end(), words.begin(), words.end());
     EXPECT_EQ(limn(all).exit_code, 2) << words.front();
