@@ -14,6 +14,11 @@ for scheme in $("$limn" schemes --json | python3 -c 'import json, sys; print(*(s
   "$limn" render cube --scheme "$scheme" --fit --levels 3 --show both "${look[@]}" -o "docs/schemes/$scheme.png"
 done
 
+# Adaptive Loop.
+adaptive=(sphere --paint faces=0-3:=3 --adaptive loop --view iso "${look[@]}")
+"$limn" render "${adaptive[@]}" --show control -o docs/schemes/adaptive_painted.png
+"$limn" render "${adaptive[@]}" -o docs/schemes/adaptive_refined.png
+
 # The triangulated cube as it was cut, split and flipped; seen from below, along the space diagonal that flipping prefers.
 from_diagonal() {  # DISTANCE
   printf '{"target": [0, 0, 0], "distance": %s, "yaw": 225, "pitch": -35.26438968275465, "fov_degrees": 35, "orthographic": false}' "$1"
