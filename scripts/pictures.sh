@@ -22,5 +22,6 @@ look=(--view three-quarter --size 960x720 --light-theme)
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show control -o docs/painted.png
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show refined -o docs/refined.png
 scripts/window_picture.py "$limn" "$scratch/creature.limn" docs/window.png
+scripts/classroom_picture.py "$limn" docs/classroom.png
 scripts/scheme_pictures.sh "$limn"
 ls -l docs/*.png

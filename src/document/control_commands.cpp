@@ -176,20 +176,22 @@ std::unique_ptr<Command> replace_control_command(std::shared_ptr<const ControlMe
 }
 
 Result<std::unique_ptr<Command>> split_edge_command(const Document& document, std::uint32_t edge) {
-  return split_edge(*document.control, edge)
-      .map([&](std::shared_ptr<const ControlMesh> after) -> std::unique_ptr<Command> {
-        FaceDepths depths = depths_after_split(document, edge, *after);
-        return std::make_unique<ReplaceCommand>(
-            ControlState{std::move(after), std::move(depths), document.stage}, "split edge");
-      });
+  auto after = split_edge(*document.control, edge);
+  if (!after) {
+    return tl::unexpected(std::move(after.error()));
+  }
+  FaceDepths depths = depths_after_split(document, edge, **after);
+  return std::make_unique<ReplaceCommand>(
+      ControlState{*std::move(after), std::move(depths), document.stage}, "split edge");
 }
 
 Result<std::unique_ptr<Command>> flip_edge_command(const Document& document, std::uint32_t edge) {
-  return flip_edge(*document.control, edge)
-      .map([&](std::shared_ptr<const ControlMesh> after) -> std::unique_ptr<Command> {
-        return std::make_unique<ReplaceCommand>(
-            ControlState{std::move(after), document.depths, document.stage}, "flip edge");
-      });
+  auto after = flip_edge(*document.control, edge);
+  if (!after) {
+    return tl::unexpected(std::move(after.error()));
+  }
+  return std::make_unique<ReplaceCommand>(
+      ControlState{*std::move(after), document.depths, document.stage}, "flip edge");
 }
 
 std::unique_ptr<Command> fit_command(const Document& document, Fitting fitting) {

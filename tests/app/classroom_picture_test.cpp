@@ -54,7 +54,7 @@ class ClassroomPicture : public testing::Test {
     perform({{kOpenBundled, std::string("sphere")}});
   }
 
-  void perform(std::vector<ui::Action> actions) {
+  void perform(const std::vector<ui::Action>& actions) {
     for (const ui::Action& action : actions) {
       desk_.session().perform(action);
     }

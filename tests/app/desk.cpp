@@ -1,6 +1,7 @@
 #include "app/desk.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <glad/gl.h>
@@ -15,7 +16,7 @@ namespace limn::app {
 namespace {
 
 int pixel(double length) {
-  return static_cast<int>(length + 0.5);
+  return static_cast<int>(std::lround(length));
 }
 
 render::Image cut(const render::Image& from, const ui::WindowRect& part) {
