@@ -10,8 +10,8 @@ namespace limn::bench {
 namespace {
 
 void compare(benchmark::State& state, const std::string& program, const Work& work) {
-  Subdivider& limn = cached_subdivider("limn", work.mesh);
-  Subdivider& peer = cached_subdivider(program, work.mesh);
+  Subdivider& limn = cached_subdivider("limn", work);
+  Subdivider& peer = cached_subdivider(program, work);
   double distance = 0.0;
   time_run(state, [&] {
     for (Subdivider* each : {&limn, &peer}) {
@@ -36,6 +36,7 @@ void register_agreement(Extent extent) {
   if (extent == Extent::kAll) {
     works.insert(works.end(), {{"creature", 4}, {"mixed", 5}, {"teapot", 4}});
   }
+  works.push_back({"asteroid_31k_triangles", 2, Rules::kLoop});
   for (const Work& work : works) {
     for (const std::string program : {"opensubdiv", "openmesh", "cgal"}) {
       if (program == "opensubdiv" || control_mesh(work.mesh).is_closed()) {

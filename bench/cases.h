@@ -20,9 +20,12 @@ enum class Extent { kAll, kQuick };
 /// `uniform/MESH/LEVELS/PROGRAM`: Limn and peers to the same finest mesh, and Limn and OpenSubdiv
 /// for `more` meshes.
 void register_uniform(Extent extent, std::span<const Work> more);
+/// `loop/MESH/LEVELS/PROGRAM`: the same by Loop's scheme, on triangle meshes.
+void register_loop(Extent extent);
 /// `agreement/MESH/LEVELS/PROGRAM`: that they compute the same.
 void register_agreement(Extent extent);
-/// `memory/MESH/LEVELS/PROGRAM` and `memory/LAYOUT/PERCENT/DEPTH/limn`: peak memory.
+/// `memory/MESH/LEVELS/PROGRAM`, by Loop's scheme for triangle meshes, and
+/// `memory/LAYOUT/PERCENT/DEPTH/limn`: peak memory.
 void register_memory(Extent extent);
 /// With this before a memory case's name the program measures that case alone, by `print_peak`,
 /// which is false where there is no such case.

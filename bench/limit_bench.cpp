@@ -37,7 +37,7 @@ void refine_to_limit(benchmark::State& state, const Work& work, const Wish& wish
   return_free_memory();
   refine();
   time_run(state, refine);
-  const Counts expected = uniform_counts(mesh, work.levels);
+  const Counts expected = uniform_counts(mesh, work);
   if (Counts{result.vertex_count(), result.face_count()} != expected ||
       result.normals.size() != (wish.normals ? expected.vertices : 0)) {
     fail_run(state, "not what was asked for");

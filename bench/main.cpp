@@ -86,6 +86,7 @@ void register_all(const Arguments& arguments) {
   register_bounds(arguments.extent);
   register_agreement(arguments.extent);
   register_uniform(arguments.extent, arguments.meshes);
+  register_loop(arguments.extent);
   register_memory(arguments.extent);
   register_adaptive(arguments.extent);
   register_limit(arguments.extent);

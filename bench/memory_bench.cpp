@@ -29,10 +29,10 @@ struct Peak {
 
 Peak uniform_peak(const std::string& program, const Work& work) {
   const ControlMesh& mesh = control_mesh(work.mesh);
-  const std::unique_ptr<Subdivider> subdivider = make_subdivider(program, mesh);
+  const std::unique_ptr<Subdivider> subdivider = make_subdivider(program, mesh, work.rules);
   subdivider->prepare();
   const std::size_t bytes = peak_of([&] { subdivider->refine(work.levels); });
-  LIMN_EXPECTS(subdivider->counts() == uniform_counts(mesh, work.levels));
+  LIMN_EXPECTS(subdivider->counts() == uniform_counts(mesh, work));
   return {bytes, subdivider->counts().faces};
 }
 
@@ -54,7 +54,9 @@ struct PeakCase {
 
 std::vector<PeakCase> peak_cases(Extent extent) {
   std::vector<PeakCase> cases;
-  for (const Work& work : large_works()) {
+  std::vector<Work> works = large_works();
+  works.push_back(loop_works().front());
+  for (const Work& work : works) {
     for (const std::string program : {"limn", "opensubdiv", "openmesh", "cgal"}) {
       if (extent == Extent::kAll || program == "limn" || program == "opensubdiv") {
         cases.push_back({"memory/" + path_of(work) + "/" + program,

@@ -21,6 +21,8 @@
 #include "limn/mesh/build.h"
 #include "limn/mesh/bundled.h"
 #include "limn/mesh/import.h"
+#include "limn/mesh/triangulate.h"
+#include "limn/subdivision/schemes/uniform.h"
 
 namespace limn::bench {
 namespace {
@@ -136,6 +138,12 @@ SharedMesh make(const std::string& name) {
   if (name == "asteroid_246k") {
     return asteroid(4);
   }
+  if (name == "asteroid_31k_triangles") {
+    return triangulated(*asteroid(2));
+  }
+  if (name == "asteroid_123k_triangles") {
+    return triangulated(*asteroid(3));
+  }
   const Result<ImportedMesh> bundled = load_bundled_mesh(name);
   LIMN_EXPECTS(bundled.has_value());
   return without_attributes(*bundled->mesh);
@@ -165,22 +173,22 @@ Result<std::string> add_control_mesh(const std::filesystem::path& file) {
   });
 }
 
-Counts uniform_counts(const ControlMesh& mesh, int levels) {
-  Counts counts{mesh.vertex_count(), mesh.face_count()};
-  std::size_t edges = mesh.edge_count();
-  std::size_t corners = mesh.topology().corner_vertices.size();
-  for (int level = 0; level < levels; ++level) {
-    counts.vertices += edges + counts.faces;
-    edges = 2 * edges + corners;
-    counts.faces = corners;
-    corners *= 4;
-  }
-  return counts;
+Counts uniform_counts(const ControlMesh& mesh, const Work& work) {
+  const Scheme scheme = work.rules == Rules::kLoop ? Scheme::kLoop : Scheme::kCatmullClark;
+  const SchemeCounts counts = predict_scheme(mesh, {.scheme = scheme}, work.levels).back();
+  return {counts.vertices, counts.faces};
 }
 
 const std::vector<Work>& large_works() {
   static const std::vector<Work> works = {
       {"asteroid_15k", 4}, {"asteroid_61k", 3}, {"asteroid_246k", 2}};
+  return works;
+}
+
+const std::vector<Work>& loop_works() {
+  static const std::vector<Work> works = {{"asteroid_31k_triangles", 3, Rules::kLoop},
+                                          {"asteroid_123k_triangles", 2, Rules::kLoop},
+                                          {"icosahedron", 8, Rules::kLoop}};
   return works;
 }
 

@@ -11,7 +11,8 @@
 
 namespace limn::bench {
 
-/// The control mesh of a name: a bundled mesh, or `asteroid_15k`, `asteroid_61k`, `asteroid_246k`.
+/// The control mesh of a name: a bundled mesh, `asteroid_15k`, `asteroid_61k`, `asteroid_246k`, or
+/// `asteroid_31k_triangles`, `asteroid_123k_triangles`, which are the first two cut into triangles.
 /// Made when first asked for and kept until the program ends.
 ///
 /// An asteroid is a closed, bumpy sphere of 15,360, 61,440 or 245,760 quads. One vertex in 32 is
@@ -31,20 +32,27 @@ struct Counts {
   [[nodiscard]] bool operator==(const Counts&) const = default;
 };
 
-/// What uniform Catmull-Clark makes of a mesh, from its numbers of vertices, edges and faces.
-[[nodiscard]] Counts uniform_counts(const ControlMesh& mesh, int levels);
+/// A scheme that peers have as well.
+enum class Rules : std::uint8_t { kCatmullClark, kLoop };
 
-/// A control mesh and how many times it is refined.
+/// A control mesh, how many times it is refined, and how.
 struct Work {
   std::string mesh;
   int levels = 0;
+  Rules rules = Rules::kCatmullClark;
 };
+
+/// What uniform refinement makes of a mesh, from its numbers of vertices, edges and faces.
+[[nodiscard]] Counts uniform_counts(const ControlMesh& mesh, const Work& work);
 
 /// The mesh that is painted.
 inline constexpr const char* kLargestMesh = "asteroid_246k";
 
 /// The asteroids, each to 3,932,160 faces.
 [[nodiscard]] const std::vector<Work>& large_works();
+
+/// Triangle meshes for Loop's scheme, the larger ones to 1,966,080 faces.
+[[nodiscard]] const std::vector<Work>& loop_works();
 
 /// `MESH/LEVELS`, the part of a case's name.
 [[nodiscard]] std::string path_of(const Work& work);

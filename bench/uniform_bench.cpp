@@ -36,6 +36,11 @@ const std::vector<Contender> kLimn = {
     {"limn_2_threads", "limn", 2},
     {"limn_retained_2_threads", "limn", 2, Memory::kKeptByProgram},
 };
+/// Loop's scheme makes a new result each time.
+const std::vector<Contender> kLimnLoop = {
+    {"limn", "limn"},
+    {"limn_2_threads", "limn", 2},
+};
 const std::vector<Contender> kLimnElsewise = {
     {"limn_small_pages", "limn", 1, Memory::kFresh, Pages::kSmall},
 };
@@ -58,8 +63,8 @@ constexpr std::size_t kPeerBytes = 176;
 void refine_uniformly(benchmark::State& state, const Contender& contender, const Work& work) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     contender.threads);
-  Subdivider& program = cached_subdivider(contender.program, work.mesh);
-  const Counts expected = uniform_counts(control_mesh(work.mesh), work.levels);
+  Subdivider& program = cached_subdivider(contender.program, work);
+  const Counts expected = uniform_counts(control_mesh(work.mesh), work);
   return_free_memory();
   warm_free_memory(expected.faces * (contender.program == "limn" ? kLimnBytes : kPeerBytes));
   const PageScope pages(contender.pages);
@@ -79,7 +84,7 @@ void refine_uniformly(benchmark::State& state, const Contender& contender, const
     allocations = allocation_count() - before;
   });
   if (program.counts() != expected) {
-    fail_run(state, "not the counts of uniform Catmull-Clark");
+    fail_run(state, "not the counts of uniform refinement");
   }
   state.counters["faces"] = static_cast<double>(expected.faces);
   state.counters["vertices"] = static_cast<double>(expected.vertices);
@@ -88,10 +93,12 @@ void refine_uniformly(benchmark::State& state, const Contender& contender, const
   program.release();
 }
 
+/// `uniform/...` for Catmull-Clark, `loop/...` for Loop.
 void add(const Work& work, const std::vector<Contender>& contenders, int repetitions) {
+  const std::string group = work.rules == Rules::kLoop ? "loop/" : "uniform/";
   for (const Contender& contender : contenders) {
     add_case(
-        "uniform/" + path_of(work) + "/" + contender.name, repetitions,
+        group + path_of(work) + "/" + contender.name, repetitions,
         [contender, work](benchmark::State& state) { refine_uniformly(state, contender, work); });
   }
 }
@@ -135,6 +142,17 @@ void register_uniform(Extent extent, std::span<const Work> more) {
   for (const Work& work : kOpen) {
     add(work, kLimn, repetitions);
     add(work, kOpenSubdiv, repetitions);
+  }
+}
+
+void register_loop(Extent extent) {
+  const bool quick = extent == Extent::kQuick;
+  for (const Work& work : loop_works()) {
+    add(work, kLimnLoop, quick ? 3 : 7);
+    add(work, kOpenSubdiv, quick ? 3 : 7);
+    if (!quick) {
+      add(work, kOthers, 3);
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-// CGAL's Catmull-Clark on its Surface_mesh, the fastest of its containers, with float coordinates.
+// CGAL's subdivision on its Surface_mesh, the fastest of its containers, with float coordinates.
 // It refines in place, so each run starts from a copy.
 #include <optional>
 
@@ -17,7 +17,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 
 class CgalSubdivider final : public Subdivider {
  public:
-  explicit CgalSubdivider(const ControlMesh& mesh) {
+  CgalSubdivider(const ControlMesh& mesh, Rules rules) : rules_(rules) {
     LIMN_EXPECTS(mesh.is_closed());
     for (const glm::vec3 p : mesh.positions()) {
       control_.add_vertex(Point(p.x, p.y, p.z));
@@ -34,8 +34,12 @@ class CgalSubdivider final : public Subdivider {
 
   void prepare() override { mesh_ = control_; }
   void refine(int levels) override {
-    CGAL::Subdivision_method_3::CatmullClark_subdivision(
-        *mesh_, CGAL::parameters::number_of_iterations(static_cast<unsigned>(levels)));
+    const auto steps = CGAL::parameters::number_of_iterations(static_cast<unsigned>(levels));
+    if (rules_ == Rules::kLoop) {
+      CGAL::Subdivision_method_3::Loop_subdivision(*mesh_, steps);
+    } else {
+      CGAL::Subdivision_method_3::CatmullClark_subdivision(*mesh_, steps);
+    }
   }
   void release() override { mesh_.reset(); }
 
@@ -52,14 +56,15 @@ class CgalSubdivider final : public Subdivider {
   }
 
  private:
+  Rules rules_;
   Mesh control_;
   std::optional<Mesh> mesh_;
 };
 
 }  // namespace
 
-std::unique_ptr<Subdivider> make_cgal(const ControlMesh& mesh) {
-  return std::make_unique<CgalSubdivider>(mesh);
+std::unique_ptr<Subdivider> make_cgal(const ControlMesh& mesh, Rules rules) {
+  return std::make_unique<CgalSubdivider>(mesh, rules);
 }
 
 }  // namespace limn::bench

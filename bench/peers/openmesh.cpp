@@ -3,7 +3,9 @@
 #include <optional>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 
 #include "limn/contract.h"
 #include "peers/subdivider.h"
@@ -18,8 +20,12 @@ struct Traits : OpenMesh::DefaultTraits {
   EdgeAttributes(OpenMesh::Attributes::None);
   FaceAttributes(OpenMesh::Attributes::None);
 };
-using Mesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
+using Polygons = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
+using CatmullClark = OpenMesh::Subdivider::Uniform::CatmullClarkT<Polygons, float>;
+using Triangles = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using Loop = OpenMesh::Subdivider::Uniform::LoopT<Triangles, float>;
 
+template <class Mesh, class Method>
 class OpenMeshSubdivider final : public Subdivider {
  public:
   explicit OpenMeshSubdivider(const ControlMesh& mesh) {
@@ -39,7 +45,7 @@ class OpenMeshSubdivider final : public Subdivider {
 
   void prepare() override { mesh_ = control_; }
   void refine(int levels) override {
-    OpenMesh::Subdivider::Uniform::CatmullClarkT<Mesh, float> subdivider;
+    Method subdivider;
     LIMN_EXPECTS(subdivider(*mesh_, static_cast<std::size_t>(levels)));
   }
   void release() override { mesh_.reset(); }
@@ -48,7 +54,7 @@ class OpenMeshSubdivider final : public Subdivider {
   [[nodiscard]] std::vector<glm::vec3> positions() const override {
     std::vector<glm::vec3> values;
     for (const OpenMesh::VertexHandle vertex : mesh_->vertices()) {
-      const Mesh::Point& p = mesh_->point(vertex);
+      const typename Mesh::Point& p = mesh_->point(vertex);
       values.emplace_back(p[0], p[1], p[2]);
     }
     return values;
@@ -61,8 +67,11 @@ class OpenMeshSubdivider final : public Subdivider {
 
 }  // namespace
 
-std::unique_ptr<Subdivider> make_openmesh(const ControlMesh& mesh) {
-  return std::make_unique<OpenMeshSubdivider>(mesh);
+std::unique_ptr<Subdivider> make_openmesh(const ControlMesh& mesh, Rules rules) {
+  if (rules == Rules::kLoop) {
+    return std::make_unique<OpenMeshSubdivider<Triangles, Loop>>(mesh);
+  }
+  return std::make_unique<OpenMeshSubdivider<Polygons, CatmullClark>>(mesh);
 }
 
 }  // namespace limn::bench

@@ -24,7 +24,7 @@ struct Position {
   glm::vec3 value;
 };
 
-std::unique_ptr<Far::TopologyRefiner> base_level(const ControlMesh& mesh) {
+std::unique_ptr<Far::TopologyRefiner> base_level(const ControlMesh& mesh, Rules rules) {
   std::vector<int> sides;
   std::vector<Far::Index> vertices;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -39,15 +39,16 @@ std::unique_ptr<Far::TopologyRefiner> base_level(const ControlMesh& mesh) {
   descriptor.vertIndicesPerFace = vertices.data();
   Sdc::Options options;
   options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-  std::unique_ptr<Far::TopologyRefiner> refiner(
-      Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_CATMARK, options)));
+  std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(
+      descriptor,
+      Factory::Options(rules == Rules::kLoop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, options)));
   LIMN_EXPECTS(refiner != nullptr);
   return refiner;
 }
 
 class OpenSubdivSubdivider final : public Subdivider {
  public:
-  explicit OpenSubdivSubdivider(const ControlMesh& mesh) : base_(base_level(mesh)) {
+  OpenSubdivSubdivider(const ControlMesh& mesh, Rules rules) : base_(base_level(mesh, rules)) {
     control_.resize(mesh.vertex_count());
     for (std::size_t v = 0; v < control_.size(); ++v) {
       control_[v].value = mesh.positions()[v];
@@ -95,8 +96,8 @@ class OpenSubdivSubdivider final : public Subdivider {
 
 }  // namespace
 
-std::unique_ptr<Subdivider> make_opensubdiv(const ControlMesh& mesh) {
-  return std::make_unique<OpenSubdivSubdivider>(mesh);
+std::unique_ptr<Subdivider> make_opensubdiv(const ControlMesh& mesh, Rules rules) {
+  return std::make_unique<OpenSubdivSubdivider>(mesh, rules);
 }
 
 }  // namespace limn::bench

@@ -13,7 +13,7 @@
 
 namespace limn::bench {
 
-/// A program that refines uniformly by Catmull-Clark: Limn or a peer, all in single precision.
+/// A program that refines uniformly: Limn or a peer, all with results in single precision.
 ///
 /// A run is `prepare`, `refine`, questions, `release`. Only `refine` is on the clock: topology and
 /// positions of every level, from a control mesh in the program's own form to the finest mesh.
@@ -40,16 +40,16 @@ class Subdivider {
   [[nodiscard]] virtual std::size_t result_bytes() const { return 0; }
 };
 
-[[nodiscard]] std::unique_ptr<Subdivider> make_limn(const ControlMesh& mesh);
-[[nodiscard]] std::unique_ptr<Subdivider> make_opensubdiv(const ControlMesh& mesh);
-[[nodiscard]] std::unique_ptr<Subdivider> make_openmesh(const ControlMesh& mesh);
-[[nodiscard]] std::unique_ptr<Subdivider> make_cgal(const ControlMesh& mesh);
+[[nodiscard]] std::unique_ptr<Subdivider> make_limn(const ControlMesh& mesh, Rules rules);
+[[nodiscard]] std::unique_ptr<Subdivider> make_opensubdiv(const ControlMesh& mesh, Rules rules);
+[[nodiscard]] std::unique_ptr<Subdivider> make_openmesh(const ControlMesh& mesh, Rules rules);
+[[nodiscard]] std::unique_ptr<Subdivider> make_cgal(const ControlMesh& mesh, Rules rules);
 
 /// One of the above, by the name that follows `make_`. Broken contract for any other.
 [[nodiscard]] std::unique_ptr<Subdivider> make_subdivider(std::string_view program,
-                                                          const ControlMesh& mesh);
+                                                          const ControlMesh& mesh, Rules rules);
 
 /// The same, made when first asked for and kept until the program ends.
-[[nodiscard]] Subdivider& cached_subdivider(const std::string& program, const std::string& mesh);
+[[nodiscard]] Subdivider& cached_subdivider(const std::string& program, const Work& work);
 
 }  // namespace limn::bench

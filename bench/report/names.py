@@ -13,6 +13,14 @@ PROGRAMS = {
     "cgal": "CGAL CatmullClark_subdivision",
 }
 
+LOOP_PROGRAMS = {
+    "limn": "Limn",
+    "limn_2_threads": "Limn, 2 threads",
+    "opensubdiv": "OpenSubdiv Far",
+    "openmesh": "OpenMesh LoopT",
+    "cgal": "CGAL Loop_subdivision",
+}
+
 BOUNDS = {
     "fill": "fill memory touched before",
     "copy": "copy (`memcpy`) memory touched before",
@@ -52,8 +60,8 @@ def beside_painting(results, depth, kind):
     return results.get("uniform", PAINTED[0], min(int(depth), PAINTED[1]), kind)
 
 
-def works(results):
-    """(mesh, levels) of all uniform cases, the main one's family first."""
-    found = {(case.path[1], int(case.path[2])) for case in results.group("uniform")}
+def works(results, group="uniform"):
+    """(mesh, levels) of all cases of a group, the main one's family first."""
+    found = {(case.path[1], int(case.path[2])) for case in results.group(group)}
     return sorted(found, key=lambda work: (not work[0].startswith("asteroid"), work[0] != MAIN[0],
                                            -work[1] if work[0].startswith("asteroid") else 0, work))

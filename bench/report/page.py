@@ -2,12 +2,12 @@
 
 from math import log
 
-from names import BOUNDS, LAYOUTS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, WISHES, \
+from names import BOUNDS, LAYOUTS, LOOP_PROGRAMS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, WISHES, \
     beside_painting, works
 
 
 def page(results):
-    sections = [opening, at_a_glance, uniform, memory, adaptive, limit, cracks, legalisation,
+    sections = [opening, at_a_glance, uniform, loop, memory, adaptive, limit, cracks, legalisation,
                 machine_bounds, others, picking, agreement, not_measured, method]
     texts = [section(results) for section in sections]
     return "\n\n".join(text for text in texts if text) + "\n"
@@ -114,13 +114,14 @@ def thousands(results, mesh):
     return f"{case.counters['faces'] / 4 ** int(case.path[2]):,.0f}"
 
 
-def uniform(results):
+def rates(results, group, programs):
+    """The table of all programs on all meshes; empty where nothing was run."""
     rows = []
-    for mesh, levels in works(results):
-        peer = results.get("uniform", mesh, levels, "opensubdiv")
+    for mesh, levels in works(results, group):
+        peer = results.get(group, mesh, levels, "opensubdiv")
         first = True
-        for name, text in PROGRAMS.items():
-            case = results.get("uniform", mesh, levels, name)
+        for name, text in programs.items():
+            case = results.get(group, mesh, levels, name)
             if not case:
                 continue
             what = f"`{mesh}`, {levels} levels, {millions(case.counters['faces'])} M faces"
@@ -129,15 +130,27 @@ def uniform(results):
                          times(peer.seconds / case.seconds) if peer and name.startswith("limn")
                          else ""])
             first = False
-    if not rows:
-        return ""
     head = ["mesh", "program", "ms: median (least to most)", "M faces/s", "against OpenSubdiv"]
-    return f"""## Uniform refinement
+    return table(head, rows, words=2) if rows else ""
+
+
+def uniform(results):
+    found = rates(results, "uniform", PROGRAMS)
+    return found and f"""## Uniform refinement
 
 Topology and positions of all levels, in single precision, from the control mesh in each program's own form. The programs start without memory for the result, which they take from
 the system while the clock runs, unless it is said that they keep it.
 
-{table(head, rows, words=2)}{allocations(results)}"""
+{found}{allocations(results)}"""
+
+
+def loop(results):
+    found = rates(results, "loop", LOOP_PROGRAMS)
+    return found and f"""## Loop's scheme
+
+The same of triangle meshes by Loop's scheme, all memory fresh. Limn computes in double precision from level to level here.
+
+{found}"""
 
 
 def allocations(results):
@@ -167,7 +180,7 @@ def memory(results):
 Peak bytes an output face, over what the process held before: its resident set as the kernel counts it, in a process of its own. What the program keeps of the control mesh
 counts for no one.
 
-{table(["mesh"] + [PROGRAMS[name] for name in programs], rows)}"""
+{table(["mesh"] + [PROGRAMS[name].split()[0] for name in programs], rows)}"""
 
 
 def adaptive(results):
@@ -319,7 +332,7 @@ Tori of quads of which 5 % are painted at random, one thread. The least time gro
 
 def others(results):
     """Groups that have no section of their own: every counter of every case."""
-    known = {"uniform", "memory", "adaptive", "bounds", "picking", "agreement", "legalise", "limit",
+    known = {"uniform", "loop", "memory", "adaptive", "bounds", "picking", "agreement", "legalise", "limit",
              "cracks"}
     sections = []
     for group in sorted({case.path[0] for case in results.cases.values()} - known):
@@ -333,15 +346,20 @@ def others(results):
     return "\n\n".join(sections)
 
 
+def program_of(case):
+    names = LOOP_PROGRAMS if case.path[1].endswith("_triangles") else PROGRAMS
+    return names[case.path[3]]
+
+
 def agreement(results):
-    rows = [[f"`{case.path[1]}`, {case.path[2]} levels", PROGRAMS[case.path[3]],
+    rows = [[f"`{case.path[1]}`, {case.path[2]} levels", program_of(case),
              f"{case.counters['distance']:.1e}"] for case in results.group("agreement")]
     if not rows:
         return ""
     return f"""## They compute the same
 
 The largest distance between a vertex of Limn's and the nearest of the peer's, and the other way round, in diagonals of the control mesh. The run fails beyond 1e-5, and wherever a
-program's numbers of vertices or faces differ from those of uniform Catmull-Clark.
+program's numbers of vertices or faces differ from those of the scheme.
 
 {table(["mesh", "peer", "largest distance"], rows, words=2)}"""
 
