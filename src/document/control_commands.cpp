@@ -70,8 +70,16 @@ class ReplaceCommand final : public Command {
       other_ = unpainted(document.opened);
     }
     swap_with(document);
+    // Loop is left where the other mesh is none for it.
+    painted_by_ = document.settings.scheme;
+    if (painted_by_ == RefinementScheme::kLoop && !check_fits(*document.control, Scheme::kLoop)) {
+      paint_by(document, RefinementScheme::kCatmullClark);
+    }
   }
-  void revert(Document& document) override { swap_with(document); }
+  void revert(Document& document) override {
+    paint_by(document, painted_by_);
+    swap_with(document);
+  }
   [[nodiscard]] std::size_t bytes() const noexcept override {
     return sizeof(*this) + mesh_bytes_ + other_.depths.size() + name_.capacity();
   }
@@ -90,8 +98,13 @@ class ReplaceCommand final : public Command {
     document.revisions.stage += is_other_stage ? 1 : 0;
     mesh_bytes_ = bytes_beside(document, *other_.control);
   }
+  static void paint_by(Document& document, RefinementScheme scheme) {
+    document.revisions.stage += document.settings.scheme != scheme ? 1 : 0;
+    document.settings.scheme = scheme;
+  }
 
   ControlState other_;
+  RefinementScheme painted_by_ = RefinementScheme::kCatmullClark;  ///< Before it was applied.
   std::size_t mesh_bytes_;
   std::string name_;
 };

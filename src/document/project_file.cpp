@@ -284,6 +284,11 @@ Result<Project> assemble(ProjectText text, Header header, const std::string& sou
   document.settings = header.settings;
   document.scheme = header.scheme;
   document.stage = header.stage;
+  if (document.settings.scheme == RefinementScheme::kLoop) {
+    if (auto fits = check_fits(*document.control, Scheme::kLoop); !fits) {
+      return fail(ErrorKind::kBadInput, "/settings/adaptive: " + fits.error().message, source);
+    }
+  }
   if (document.scheme && document.stage.levels > 0) {
     if (auto fits = check_fits(*document.control, document.scheme->scheme); !fits) {
       return fail(ErrorKind::kBadInput, "/scheme: " + fits.error().message, source);

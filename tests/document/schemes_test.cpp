@@ -167,6 +167,28 @@ TEST(FitCommand, OneStepOfCatmullClarkTakesOneLevelOff) {
   }
 }
 
+TEST(ControlCommands, LeavePaintingByLoopWhereTheMeshIsNoneForIt) {
+  Document document = painted("icosahedron");
+  document.settings.scheme = RefinementScheme::kLoop;
+  document.settings.weights = LoopWeights::kWarren;
+  History history;
+  const Revisions before = document.revisions;
+  history.execute(document, fit_command(document, Fitting::kOneCatmullClarkStep));
+  EXPECT_EQ(document.settings.scheme, RefinementScheme::kCatmullClark);
+  EXPECT_GT(document.revisions.stage, before.stage);
+  history.undo(document);
+  EXPECT_EQ(document.settings.scheme, RefinementScheme::kLoop);
+  EXPECT_EQ(document.settings.weights, LoopWeights::kWarren);
+  auto split = split_edge_command(document, 0);
+  ASSERT_TRUE(split);
+  history.execute(document, *std::move(split));
+  EXPECT_EQ(document.settings.scheme, RefinementScheme::kLoop) << "all triangles still";
+  history.execute(document, replace_control_command(opened("cube").control, "apply"));
+  EXPECT_EQ(document.settings.scheme, RefinementScheme::kCatmullClark);
+  history.undo(document);
+  EXPECT_EQ(document.settings.scheme, RefinementScheme::kLoop);
+}
+
 class SchemeProject : public test::ProjectFixture {
  protected:
   std::string scheme_text() {
@@ -227,6 +249,16 @@ TEST_F(SchemeProject, NamesTheCulprit) {
   const std::string misfit =
       complaint_about("\"name\": \"loop\",\n    \"weights\": \"warren\"", "\"name\": \"kobbelt\"");
   EXPECT_THAT(misfit, HasSubstr("/scheme"));
+}
+
+TEST_F(SchemeProject, RefusesPaintingByLoopOnWhatIsNoTriangleMesh) {
+  Document document = painted("cube");
+  document.settings.scheme = RefinementScheme::kLoop;
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  const Result<Project> loaded = load_project(path_);
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().kind, ErrorKind::kBadInput);
+  EXPECT_THAT(loaded.error().message, HasSubstr("/settings/adaptive"));
 }
 
 TEST(DeriveScheme, GivesEveryLevelWithItsCountsAndTheMeshOfTheLast) {

@@ -39,7 +39,8 @@ namespace limn {
                                                       const CreaseRule& rule);
 
 /// Replaces the control mesh, unpainted and at stage 0: Apply (the refined mesh becomes the control
-/// mesh).
+/// mesh). As with all commands that change it, settings that ask for Loop ask for Catmull-Clark
+/// where the new mesh is not all triangles.
 [[nodiscard]] std::unique_ptr<Command> replace_control_command(
     std::shared_ptr<const ControlMesh> control, std::string name);
 
