@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "ui/action_table.h"
 #include "ui/availability.h"
@@ -78,6 +79,28 @@ void draw_button(const PanelContext& context, std::string_view label, bool is_en
   }
   fill_item(is_enabled ? control_fill(c) : faded(c.control, 0.5F), rounding);
   draw_centred(is_enabled ? c.text : faded(c.dim_text, 0.6F), label);
+}
+
+/// Where each choice ends: all of one width, unless a name needs more than that.
+std::vector<float> choice_ends(const PanelContext& context, std::span<const Choice> choices,
+                               float width) {
+  const auto count = static_cast<float>(choices.size());
+  std::vector<float> ends(choices.size());
+  float named = 0.0F;
+  float longest = 0.0F;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const float name = text_size(choices[i].label).x;
+    named += name;
+    longest = std::max(longest, name);
+    ends[i] = named;
+  }
+  const bool fits = longest + context.px(10) <= width / count;
+  const float rest = (width - named) / count;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const auto place = static_cast<float>(i + 1);
+    ends[i] = fits ? width * place / count : ends[i] + rest * place;
+  }
+  return ends;
 }
 
 }  // namespace
@@ -251,17 +274,16 @@ void action_toggle(PanelContext& context, const Action& action, float width) {
 void action_choice(PanelContext& context, std::span<const Choice> choices) {
   const ThemeColours& c = context.colours;
   const float height = context.px(kButtonHeight);
-  const auto count = static_cast<float>(choices.size());
   const float width = room();
+  const std::vector<float> ends = choice_ends(context, choices, width);
   const float inset = context.px(3);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(origin, {origin.x + width, origin.y + height}, c.field, context.px(5));
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const Action& action = choices[i].action;
-    const auto at = static_cast<float>(i);
-    const float left = std::floor(origin.x + width * at / count);
-    const float right = std::floor(origin.x + width * (at + 1.0F) / count);
+    const float left = std::floor(origin.x + (i > 0 ? ends[i - 1] : 0.0F));
+    const float right = std::floor(origin.x + ends[i]);
     ImGui::SetCursorScreenPos({left, origin.y});
     const bool is_pressed =
         ImGui::InvisibleButton(widget_id(action).c_str(), {right - left, height});
