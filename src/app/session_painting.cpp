@@ -222,6 +222,10 @@ bool Session::perform_subdivision(const ui::Action& action) {
       return true;
     case kAdaptiveLoop:
     case kAdaptiveLoopWarren:
+      if (const auto fits = check_fits(*document_.control, Scheme::kLoop); !fits) {
+        toast(Kind::kNote, fits.error().message);
+        return true;
+      }
       settings.scheme = RefinementScheme::kLoop;
       settings.weights = action.id == kAdaptiveLoop ? LoopWeights::kOriginal : LoopWeights::kWarren;
       change_settings(settings);

@@ -49,6 +49,11 @@ bool Session::perform_scheme(const ui::Action& action) {
     case kSetSecondScheme: {
       const bool was_split = is_split();
       display_.second = ui::scheme_from_word(std::get<std::string>(action.value));
+      if (is_split()) {
+        second_.restart();
+      } else {
+        second_.cancel();
+      }
       if (is_split() && !was_split) {
         // Half as wide: what was in view would be cut off.
         camera_.glide_to(
@@ -222,10 +227,11 @@ void Session::update_facts() {
   if (is_other_surface) {
     hover_.reset();
     hover_edge_.reset();
-    // Nothing refined from another mesh may be shown from now on.
     refinement_.follow(document_, {is_stroking(), export_path_.has_value()});
-    follow_second();
   }
+  // Nothing refined from another mesh may be shown from now on, in the second half neither: it may
+  // have been closed when the mesh changed.
+  follow_second();
   if (display_.valences) {
     valences_.update(document_.control, shows_refined() ? refinement_.refined()->mesh : nullptr);
     if (display_.second) {

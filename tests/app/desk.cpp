@@ -65,6 +65,16 @@ ui::GuiFrame Desk::frame() {
   return frame;
 }
 
+void Desk::draw_frame(render::FramebufferSize size) {
+  static_cast<void>(frame());
+  EXPECT_TRUE(scene_.sync(session_));
+  ViewportLook look;
+  look.edge = session_.hover_edge();
+  scene_.draw(session_, size, look);
+  static_cast<void>(
+      scene_.pick(session_, size, {size.width / 2.0, static_cast<double>(size.height) / 2.0}));
+}
+
 render::Image Desk::picture() {
   session_.finish_refinement();
   // Long enough for tooltips and toasts.

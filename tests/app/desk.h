@@ -30,6 +30,8 @@ class Desk {
 
   /// Lets everything finish, then draws it all.
   [[nodiscard]] render::Image picture();
+  /// One frame of a window of this size: panels and viewport as they are, whatever still runs.
+  void draw_frame(render::FramebufferSize size);
   /// The parts of the last picture: viewport, and side panel.
   [[nodiscard]] render::Image viewport_of(const render::Image& picture) const;
   [[nodiscard]] render::Image panel_of(const render::Image& picture) const;

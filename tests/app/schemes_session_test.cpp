@@ -213,6 +213,33 @@ TEST_F(SchemesSessionTest, TheSecondHalfFollowsTheLevel) {
   EXPECT_FALSE(session_.is_split());
 }
 
+TEST_F(SchemesSessionTest, TheSecondHalfShowsNothingOfAMeshThatWentWhileItWasClosed) {
+  choose("loop");
+  session_.perform({kSetSchemeLevel, 1});
+  session_.perform({kSetSecondScheme, std::string("butterfly")});
+  session_.finish_refinement();
+  ASSERT_TRUE(session_.shows_second_refined());
+  session_.perform({kSetSecondScheme, std::string()});
+  session_.set_hover_edge(0U);
+  session_.perform(kSplitEdge);
+  session_.perform({kSetSecondScheme, std::string("butterfly")});
+  EXPECT_EQ(session_.second().refined(), nullptr);
+  session_.finish_refinement();
+  EXPECT_EQ(session_.second().refined()->mesh->face_count(), 88U);
+  session_.perform({kSetSecondScheme, std::string()});
+  session_.perform({kSetSecondScheme, std::string("butterfly")});
+  session_.finish_refinement();
+  EXPECT_TRUE(session_.shows_second_refined()) << "closed and opened again";
+}
+
+TEST_F(SchemesSessionTest, PaintingByLoopNeedsTriangles) {
+  open("cube");
+  session_.perform(kAdaptiveLoop);
+  EXPECT_EQ(session_.document().settings.scheme, RefinementScheme::kCatmullClark);
+  EXPECT_THAT(last_toast(), HasSubstr("triangles"));
+  EXPECT_FALSE(session_.history().can_undo());
+}
+
 TEST_F(SchemesSessionTest, TheSecondHalfStandsBesideAPaintingAtItsDepth) {
   session_.begin_stroke(DepthChange::set(2));
   session_.touch(std::vector<std::uint32_t>{0});

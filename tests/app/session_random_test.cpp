@@ -1,0 +1,156 @@
+// Someone who presses everything: whatever is done, in whatever order, while refinements run or
+// not, every frame can be drawn, and what the session says of itself holds together.
+#include <array>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/desk.h"
+
+namespace limn::app {
+namespace {
+
+using enum ui::ActionId;
+
+class RandomHand {
+ public:
+  explicit RandomHand(std::uint32_t seed) : random_(seed) {}
+
+  std::size_t below(std::size_t n) { return random_() % n; }
+
+  ui::Action next() {
+    static const std::vector<ui::ActionId> kPlain{kUndo,
+                                                  kUndo,
+                                                  kUndo,
+                                                  kRedo,
+                                                  kRevert,
+                                                  kRaiseAll,
+                                                  kLowerAll,
+                                                  kZeroAll,
+                                                  kRemoveIllegal,
+                                                  kSubdivide,
+                                                  kBackToControl,
+                                                  kApply,
+                                                  kShowControl,
+                                                  kShowRefined,
+                                                  kShowBoth,
+                                                  kSchemeForward,
+                                                  kSchemeForward,
+                                                  kSchemeBack,
+                                                  kLoopOriginal,
+                                                  kLoopWarren,
+                                                  kMakeFit,
+                                                  kMakeFit,
+                                                  kCompareSphere,
+                                                  kSplitEdge,
+                                                  kSplitEdge,
+                                                  kFlipEdge,
+                                                  kToggleValences,
+                                                  kToggleFaces,
+                                                  kToggleLabels,
+                                                  kCreaseDihedral,
+                                                  kClearCreases,
+                                                  kCornersSmooth,
+                                                  kCornersSharp,
+                                                  kAdaptiveLoop,
+                                                  kAdaptiveCatmullClark,
+                                                  kToolSplitEdge,
+                                                  kToolPaint,
+                                                  kSubdivideOneLevel,
+                                                  kCancel};
+    static const std::vector<std::string> kWords = [] {
+      std::vector<std::string> words{""};
+      for (const SchemeInfo& info : schemes()) {
+        words.emplace_back(info.name);
+      }
+      return words;
+    }();
+    const std::size_t choice = below(10);
+    if (choice == 0) {
+      static constexpr std::array kMeshes{"cube", "icosahedron", "mixed", "grid", "sphere"};
+      return {kOpenBundled, std::string(kMeshes[below(kMeshes.size())])};
+    }
+    if (choice < 3) {
+      return {choice == 1 ? kSetScheme : kSetSecondScheme, kWords[below(kWords.size())]};
+    }
+    return kPlain[below(kPlain.size())];
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// The mouse comes to rest on a face and an edge of it, or on nothing.
+void point_somewhere(Session& session, RandomHand& hand) {
+  if (hand.below(4) == 0) {
+    session.set_hover(std::nullopt);
+    session.set_hover_edge(std::nullopt);
+    return;
+  }
+  const FlatTopology& topology = session.document().control->topology();
+  const auto corner = static_cast<std::uint32_t>(hand.below(topology.corner_faces.size()));
+  session.set_hover(topology.corner_faces[corner]);
+  session.set_hover_edge(topology.corner_edges[corner]);
+}
+
+void answer(Session& session) {
+  if (std::holds_alternative<ui::UnsavedQuestion>(session.modal())) {
+    session.perform(kDiscardChanges);
+  } else if (!std::holds_alternative<std::monostate>(session.modal())) {
+    EXPECT_FALSE(std::holds_alternative<ui::ErrorDialog>(session.modal()))
+        << to_string(std::get<ui::ErrorDialog>(session.modal()).error);
+    session.perform(kCancel);
+  }
+}
+
+void expect_sound(const Session& session) {
+  const Document& document = session.document();
+  ASSERT_EQ(document.depths.size(), document.control->face_count());
+  if (document.scheme) {
+    ASSERT_LE(document.stage.levels, kMostSchemeLevels);
+    ASSERT_TRUE(document.stage.levels == 0 ||
+                check_fits(*document.control, document.scheme->scheme));
+  }
+  for (const LiveRefinement* live : {&session.refinement(), &session.second()}) {
+    const JobResult* refined = live->refined();
+    if (refined != nullptr && (live == &session.refinement() || session.is_split())) {
+      ASSERT_EQ(&refined->control->topology(), &document.control->topology());
+    }
+  }
+}
+
+TEST(Session, WhateverIsPressedEveryFrameCanBeDrawn) {
+  constexpr int kSteps = 400;
+  RandomHand hand(9);
+  Desk desk({700, 500});
+  Session& session = desk.session();
+  session.set_face_budget(4000);
+  double now = 0.0;
+  for (int step = 0; step < kSteps && !testing::Test::HasFailure(); ++step) {
+    point_somewhere(session, hand);
+    const ui::Action action = hand.next();
+    SCOPED_TRACE(testing::Message()
+                 << "step " << step << ": action " << static_cast<int>(action.id));
+    session.perform(action);
+    answer(session);
+    expect_sound(session);
+    desk.draw_frame({96, 64});
+    if (hand.below(2) == 0) {
+      session.update(now += 0.05);
+      answer(session);
+      desk.draw_frame({96, 64});
+    }
+    if (hand.below(8) == 0) {
+      session.finish_refinement();
+      answer(session);
+      expect_sound(session);
+      desk.draw_frame({128, 64});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limn::app
