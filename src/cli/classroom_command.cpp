@@ -54,8 +54,10 @@ Result<void> open_classroom(ClassroomOptions options) {
     return tl::unexpected(std::move(project.error()));
   }
   Document& document = project->document;
+  const bool is_saved = document.scheme && !options.scheme.scheme;
   options.scheme.scheme = options.scheme.scheme.value_or(default_scheme(*document.control));
-  const SchemeSettings settings = scheme_settings(options.scheme, document);
+  const SchemeSettings settings =
+      is_saved ? *shown_scheme(document) : scheme_settings(options.scheme, document);
   const auto mesh =
       fit_mesh(document.control, settings.scheme, options.scheme.is_fitted, document.name);
   if (!mesh) {
@@ -90,8 +92,9 @@ void add_classroom_command(CLI::App& program, Work& work) {
       ->capture_default_str();
   add_scheme_options(*command, options->scheme);
   command->get_option("--scheme")
-      ->description("How to subdivide: " + scheme_words() +
-                    ". Left out: loop for triangles, catmull-clark for all else");
+      ->description(
+          "How to subdivide: " + scheme_words() +
+          ". Left out: that of a project, else loop for triangles and catmull-clark for all else");
   command
       ->add_option("--budget", options->face_budget,
                    "Refuse, before any work, a level with more faces")

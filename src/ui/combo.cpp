@@ -50,9 +50,16 @@ void action_combo(PanelContext& context, ActionId what, std::span<const ComboEnt
   explain(context, what);
   remember(context, name);
 
-  ImGui::SetNextWindowPos({low.x, high.y + context.px(2)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(10), context.px(8)});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), context.px(7)});
+  // Below the field, or as far up as is needed to be on the screen.
+  const float padding = context.px(8);
+  const float spacing = context.px(7);
+  const float line = ImGui::GetFontSize() + spacing;
+  const float height = static_cast<float>(entries.size()) * line - spacing + 2.0F * padding;
+  const float lowest = ImGui::GetIO().DisplaySize.y - height - context.px(4);
+  ImGui::SetNextWindowPos(
+      {low.x, std::max(0.0F, std::floor(std::min(high.y + context.px(2), lowest)))});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(10), padding});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), spacing});
   if (ImGui::BeginPopup("##entries")) {
     for (const ComboEntry& entry : entries) {
       const bool is_on = is_checked(context.model, entry.action);

@@ -24,15 +24,18 @@ using enum ActionId;
 /// Rows the table has at the least, so that nothing moves while one steps to and fro.
 constexpr std::size_t kFewestRows = 6;
 
-/// "83.9 M" where all the digits would need more room than a column has.
-std::string short_count(std::uint64_t count) {
-  constexpr std::uint64_t kMost = 10'000'000;
-  if (count < kMost) {
-    return grouped(count);
+/// All digits where they fit into `width`, otherwise "84 k", "83.9 M", "5.4e+12".
+std::string count_text(std::uint64_t count, float width) {
+  std::string text = grouped(count);
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) {
+    return text;
   }
-  const double millions = static_cast<double>(count) / 1.0e6;
-  return millions < 1.0e5 ? fmt::format("{:.1f} M", millions)
-                          : fmt::format("{:.0e}", millions * 1e6);
+  const auto value = static_cast<double>(count);
+  if (count < 1'000'000) {
+    return fmt::format("{:.0f} k", value / 1.0e3);
+  }
+  return count < 1'000'000'000 ? fmt::format("{:.1f} M", value / 1.0e6)
+                               : fmt::format("{:.1e}", value);
 }
 
 /// Text over several lines in the room there is.
@@ -111,6 +114,13 @@ class Columns {
   [[nodiscard]] float width() const { return width_; }
   [[nodiscard]] float height() const { return height_; }
 
+  /// As it fits into a column of this part of the room.
+  [[nodiscard]] std::string count(std::uint64_t count, float part) const {
+    ImGui::PushFont(context_.fonts.small);
+    std::string text = count_text(count, width_ * part - context_.px(8));
+    ImGui::PopFont();
+    return text;
+  }
   /// Over the item drawn last.
   void figures(std::span<const std::string> texts, ImU32 colour) const {
     ImGui::PushFont(context_.fonts.small);
@@ -141,7 +151,7 @@ void level_table(PanelContext& context) {
   const SchemeStatus& scheme = context.model.scheme;
   const auto shown = static_cast<std::size_t>(context.model.document.stage.levels);
   const std::size_t rows = std::min(scheme.counts.size(), std::max(kFewestRows, shown + 1));
-  constexpr std::array<float, 5> kEnds{0.135F, 0.355F, 0.58F, 0.8F, 1.0F};
+  constexpr std::array<float, 5> kEnds{0.15F, 0.385F, 0.6F, 0.8F, 1.0F};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
   const Columns columns(context, kEnds);
   const ThemeColours& c = context.colours;
@@ -162,10 +172,10 @@ void level_table(PanelContext& context) {
     const std::string time = level > 0 && is_made ? seconds_text(scheme.steps[level].seconds)
                              : is_awaited         ? "…"
                                                   : "";
-    columns.figures(
-        std::array<std::string, 5>{std::to_string(level), short_count(counts.vertices),
-                                   short_count(counts.edges), short_count(counts.faces), time},
-        level <= shown ? c.text : faded(c.dim_text, 0.75F));
+    const auto text = [&](std::uint64_t count) { return columns.count(count, 0.2F); };
+    columns.figures(std::array<std::string, 5>{std::to_string(level), text(counts.vertices),
+                                               text(counts.edges), text(counts.faces), time},
+                    level <= shown ? c.text : faded(c.dim_text, 0.75F));
     explain(context, "Level " + std::to_string(level),
             "Press to show this level. Time is what making it of the level before took.");
     remember(context, "level " + std::to_string(level));

@@ -88,9 +88,9 @@ void draw_subdivide_section(PanelContext& context) {
   }
 
   sub_heading(context, "Painted faces by");
-  action_choice(context, std::array{Choice{kAdaptiveCatmullClark, "Catmull-Clark"},
-                                    Choice{kAdaptiveLoop, "Loop"},
-                                    Choice{kAdaptiveLoopWarren, "Warren"}});
+  action_choice(context,
+                std::array{Choice{kAdaptiveCatmullClark, "Catmull-Clark"},
+                           Choice{kAdaptiveLoop, "Loop"}, Choice{kAdaptiveLoopWarren, "Warren"}});
   const bool is_loop = context.model.document.settings.scheme == RefinementScheme::kLoop;
   if (is_loop) {
     balance(context);

@@ -294,7 +294,8 @@ void action_choice(PanelContext& context, std::span<const Choice> choices) {
                          {right - inset, origin.y + height - inset}, c.selected, context.px(4));
     }
     const ImU32 ink = is_on || ImGui::IsItemHovered() ? c.text : c.dim_text;
-    draw_centred(is_offered ? ink : faded(c.dim_text, 0.6F), choices[i].label);
+    draw_centred(is_offered ? ink : faded(c.dim_text, 0.6F),
+                 fit_text(choices[i].label, right - left - context.px(4)));
     explain(context, action);
     remember(context, choices[i].label);
     if (is_pressed && !is_on && is_offered) {

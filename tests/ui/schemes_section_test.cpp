@@ -71,6 +71,22 @@ TEST_F(SchemesSection, AnyVariantCanStandBeside) {
               ElementsAre(Action(ActionId::kSetSecondScheme, std::string())));
 }
 
+TEST_F(SchemesSection, AListStaysOnTheScreen) {
+  Screen small({900, 420});
+  PanelLayout layout;
+  layout.paint_open = layout.subdivide_open = layout.display_open = layout.numbers_open = false;
+  layout.schemes_open = true;
+  small.gui().set_layout(layout);
+  small.settle();
+  small.click("Beside it");
+  small.settle();
+  for (const SchemeSettings& settings : scheme_variants()) {
+    const WindowRect entry = small.rect("Beside it: " + scheme_title(settings));
+    EXPECT_GE(entry.origin.y, 0.0) << scheme_title(settings);
+    EXPECT_LE(entry.origin.y + entry.size.height, 420.0) << scheme_title(settings);
+  }
+}
+
 TEST_F(SchemesSection, StepsAreOfferedWhereThereIsAScheme) {
   EXPECT_FALSE(screen_.has("Forward"));
   show({.scheme = Scheme::kCatmullClark}, 0);
