@@ -151,11 +151,13 @@ void level_table(PanelContext& context) {
   const SchemeStatus& scheme = context.model.scheme;
   const auto shown = static_cast<std::size_t>(context.model.document.stage.levels);
   const std::size_t rows = std::min(scheme.counts.size(), std::max(kFewestRows, shown + 1));
-  constexpr std::array<float, 5> kEnds{0.15F, 0.385F, 0.6F, 0.8F, 1.0F};
+  constexpr std::array<float, 5> kEnds{0.14F, 0.375F, 0.59F, 0.785F, 1.0F};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
   const Columns columns(context, kEnds);
   const ThemeColours& c = context.colours;
-  columns.head(std::array<std::string, 5>{"Level", "Vertices", "Edges", "Faces", "Time"});
+  const bool is_narrow = columns.width() < context.px(250);
+  columns.head(
+      std::array<std::string, 5>{is_narrow ? "" : "Level", "Vertices", "Edges", "Faces", "Time"});
   for (std::size_t level = 0; level < rows; ++level) {
     const Action action(kSetSchemeLevel, static_cast<int>(level));
     ImGui::PushID(static_cast<int>(level));
@@ -172,7 +174,7 @@ void level_table(PanelContext& context) {
     const std::string time = level > 0 && is_made ? seconds_text(scheme.steps[level].seconds)
                              : is_awaited         ? "…"
                                                   : "";
-    const auto text = [&](std::uint64_t count) { return columns.count(count, 0.2F); };
+    const auto text = [&](std::uint64_t count) { return columns.count(count, 0.195F); };
     columns.figures(std::array<std::string, 5>{std::to_string(level), text(counts.vertices),
                                                text(counts.edges), text(counts.faces), time},
                     level <= shown ? c.text : faded(c.dim_text, 0.75F));
