@@ -22,46 +22,46 @@ class RandomHand {
   std::size_t below(std::size_t n) { return random_() % n; }
 
   ui::Action next() {
-    static const std::vector<ui::ActionId> kPlain{kUndo,
-                                                  kUndo,
-                                                  kUndo,
-                                                  kRedo,
-                                                  kRevert,
-                                                  kRaiseAll,
-                                                  kLowerAll,
-                                                  kZeroAll,
-                                                  kRemoveIllegal,
-                                                  kSubdivide,
-                                                  kBackToControl,
-                                                  kApply,
-                                                  kShowControl,
-                                                  kShowRefined,
-                                                  kShowBoth,
-                                                  kSchemeForward,
-                                                  kSchemeForward,
-                                                  kSchemeBack,
-                                                  kLoopOriginal,
-                                                  kLoopWarren,
-                                                  kMakeFit,
-                                                  kMakeFit,
-                                                  kCompareSphere,
-                                                  kSplitEdge,
-                                                  kSplitEdge,
-                                                  kFlipEdge,
-                                                  kToggleValences,
-                                                  kToggleFaces,
-                                                  kToggleLabels,
-                                                  kCreaseDihedral,
-                                                  kClearCreases,
-                                                  kCornersSmooth,
-                                                  kCornersSharp,
-                                                  kAdaptiveLoop,
-                                                  kAdaptiveCatmullClark,
-                                                  kToolSplitEdge,
-                                                  kToolPaint,
-                                                  kSubdivideOneLevel,
-                                                  kCancel};
-    static const std::vector<std::string> kWords = [] {
+    static const std::vector<ui::ActionId> plain{kUndo,
+                                                 kUndo,
+                                                 kUndo,
+                                                 kRedo,
+                                                 kRevert,
+                                                 kRaiseAll,
+                                                 kLowerAll,
+                                                 kZeroAll,
+                                                 kRemoveIllegal,
+                                                 kSubdivide,
+                                                 kBackToControl,
+                                                 kApply,
+                                                 kShowControl,
+                                                 kShowRefined,
+                                                 kShowBoth,
+                                                 kSchemeForward,
+                                                 kSchemeForward,
+                                                 kSchemeBack,
+                                                 kLoopOriginal,
+                                                 kLoopWarren,
+                                                 kMakeFit,
+                                                 kMakeFit,
+                                                 kCompareSphere,
+                                                 kSplitEdge,
+                                                 kSplitEdge,
+                                                 kFlipEdge,
+                                                 kToggleValences,
+                                                 kToggleFaces,
+                                                 kToggleLabels,
+                                                 kCreaseDihedral,
+                                                 kClearCreases,
+                                                 kCornersSmooth,
+                                                 kCornersSharp,
+                                                 kAdaptiveLoop,
+                                                 kAdaptiveCatmullClark,
+                                                 kToolSplitEdge,
+                                                 kToolPaint,
+                                                 kSubdivideOneLevel,
+                                                 kCancel};
+    static const std::vector<std::string> all_words = [] {
       std::vector<std::string> words{""};
       for (const SchemeInfo& info : schemes()) {
         words.emplace_back(info.name);
@@ -74,9 +74,9 @@ class RandomHand {
       return {kOpenBundled, std::string(kMeshes[below(kMeshes.size())])};
     }
     if (choice < 3) {
-      return {choice == 1 ? kSetScheme : kSetSecondScheme, kWords[below(kWords.size())]};
+      return {choice == 1 ? kSetScheme : kSetSecondScheme, all_words[below(all_words.size())]};
     }
-    return kPlain[below(kPlain.size())];
+    return plain[below(plain.size())];
   }
 
  private:
