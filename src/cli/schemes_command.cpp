@@ -139,9 +139,9 @@ void add_schemes_command(CLI::App& program, Work& work) {
   command->add_option("SCHEME", options->scheme, "Tell of this one alone: " + scheme_words());
   command->add_option("IN", options->input,
                       "With --adjacency: a mesh file (.obj), a project (.limn), the name of a "
-                      "bundled mesh, or - for OBJ text on standard input");
+                      "bundled mesh, or - for OBJ text on standard input; without, the sphere");
   command->add_flag("--adjacency", options->has_adjacency,
-                    "For loop and a mesh: of every old vertex its neighbours, of every midpoint "
+                    "For loop: of every old vertex its neighbours, of every midpoint "
                     "the ends of its edge and the vertices opposite");
   command->add_flag("--fit", options->is_fitted,
                     "With --adjacency: cut what is no triangle into triangles first");
@@ -156,8 +156,11 @@ void add_schemes_command(CLI::App& program, Work& work) {
       throw CLI::ValidationError("--adjacency",
                                  "only loop has it: limn schemes loop IN --adjacency");
     }
-    if (options->has_adjacency == options->input.empty()) {
-      throw CLI::ValidationError("IN", "a mesh and --adjacency go together");
+    if (!options->has_adjacency && !options->input.empty()) {
+      throw CLI::ValidationError("IN", "a mesh is for --adjacency");
+    }
+    if (options->input.empty()) {
+      options->input = "sphere";
     }
     work = [options, scheme]() -> Result<void> {
       if (options->has_adjacency) {

@@ -6,7 +6,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kAveragingGrain = 2048;
+constexpr std::size_t kAveragingGrain = 8192;
 
 Point centroid(const LevelMesh& mesh, std::size_t f) {
   const std::uint32_t first = mesh.faces.first(f);

@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kBiquarticGrain = 2048;
+constexpr std::size_t kBiquarticGrain = 8192;
 
 void place_biquartic(const LevelMesh& from, const SchemeSettings& settings, const LevelMesh& to,
                      const PointSink& sink) {

@@ -18,7 +18,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kButterflyGrain = 2048;
+constexpr std::size_t kButterflyGrain = 8192;
 
 /// Weight of neighbour j of K around an irregular vertex; neighbour 0 is the edge's other end.
 double butterfly_weight(std::uint32_t j, std::uint32_t valence) {

@@ -12,7 +12,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kDooSabinGrain = 2048;
+constexpr std::size_t kDooSabinGrain = 8192;
 
 void place_face(const LevelMesh& from, std::size_t f, const PointSink& sink) {
   const std::uint32_t first = from.faces.first(f);

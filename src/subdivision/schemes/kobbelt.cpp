@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kKobbeltGrain = 2048;
+constexpr std::size_t kKobbeltGrain = 8192;
 
 constexpr std::uint32_t next_in_quad(std::uint32_t h) {
   return (h & ~3U) | ((h + 1) & 3U);

@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kLinearGrain = 4096;
+constexpr std::size_t kLinearGrain = 16384;
 
 void place_split_points(const LevelMesh& from, const PointSink& sink) {
   const std::size_t old = from.vertex_count();

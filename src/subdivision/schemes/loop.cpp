@@ -13,7 +13,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kLoopGrain = 4096;
+constexpr std::size_t kLoopGrain = 16384;
 
 double loop_beta(std::size_t n, LoopWeights weights) {
   const auto count = static_cast<double>(n);

@@ -16,7 +16,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kMidedgeGrain = 4096;
+constexpr std::size_t kMidedgeGrain = 16384;
 
 /// The old vertices that stay, in growing order; new vertices come after those of the edges.
 LargeArray<std::uint32_t> staying_vertices(const LevelMesh& from) {

@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kQuadGrain = 4096;
+constexpr std::size_t kQuadGrain = 16384;
 
 }  // namespace
 

@@ -22,7 +22,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kSqrt3Grain = 4096;
+constexpr std::size_t kSqrt3Grain = 16384;
 
 bool cuts_boundary(const LevelMesh& from) {
   return from.level % 2 == 1;

@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kGrain = 16384;
 
 /// The half-edges one level down on either half of h.
 std::uint32_t leaving(std::uint32_t h) {
