@@ -142,6 +142,7 @@ Result<Refinement> RefinementSource::derive(const ControlMesh& control, const De
   derived.prediction = predict_derived(control, labels, options.levels);
   const Stopwatch refining;
   PartOf refine_part(progress, 0.0, 0.7);
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): it goes back, or to whoever asked.
   std::unique_ptr<RefinedMesh> mesh = spare_->take();
   if (auto done = refine(control, labels, options, refine_part, *mesh); !done) {
     spare_->put_back(std::move(mesh));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -160,7 +161,6 @@ Cuts clip_faces(const ControlMesh& mesh) {
 struct Join {
   std::array<std::uint32_t, 2> ends;  ///< Lower first.
   std::uint32_t face;                 ///< kNone for an edge: those come last of equal ones.
-  friend auto operator<=>(const Join&, const Join&) = default;
 };
 
 Join join(std::uint32_t a, std::uint32_t b, std::uint32_t face) {
@@ -195,7 +195,7 @@ void leave_doubled_diagonals(const ControlMesh& mesh, Cuts& cuts) {
   for (const auto& [a, b] : mesh.topology().edge_vertices) {
     joins.push_back(join(a, b, kNone));
   }
-  std::ranges::sort(joins);
+  std::ranges::sort(joins, {}, [](const Join& j) { return std::pair(j.ends, j.face); });
   for (std::size_t i = 1; i < joins.size(); ++i) {
     if (joins[i].ends == joins[i - 1].ends) {
       cuts.is_fan[joins[i - 1].face] = true;

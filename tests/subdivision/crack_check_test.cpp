@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/subdivision/label_subdivision.h"
+#include "support/effort.h"
 #include "support/shapes.h"
 
 namespace limn {
@@ -50,6 +51,7 @@ TEST(CrackCheck, CountsTheWholeBoundaryOfAnOpenMesh) {
 
 TEST(CrackCheck, FindsEveryMissingQuad) {
   test::Random random(21);
+  const auto stride = static_cast<std::size_t>(1.0 / test::effort());
   const std::vector<MeshPointer> meshes{test::cube(), test::control_mesh(test::grid_soup(3, 3)),
                                         test::control_mesh(test::grid_soup(1, 1)),
                                         test::control_mesh(test::polygon_in_ring_soup(3))};
@@ -57,7 +59,7 @@ TEST(CrackCheck, FindsEveryMissingQuad) {
     for (int painting = 0; painting < 6; ++painting) {
       const RefinedMesh whole =
           refined_by_depths(*mesh, test::random_depths(*mesh, 0.3, 4, random));
-      for (std::size_t f = 0; f < whole.quads.size(); ++f) {
+      for (std::size_t f = 0; f < whole.quads.size(); f += stride) {
         RefinedMesh holed = whole;
         remove_quad(holed, f);
         ASSERT_FALSE(check_cracks(*mesh, holed).is_watertight())

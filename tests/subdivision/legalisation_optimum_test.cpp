@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/subdivision/label_subdivision.h"
+#include "support/effort.h"
 #include "support/shapes.h"
 
 namespace limn {
@@ -127,9 +128,10 @@ TEST(OptimalLegalisation, IsFoundMostTimesByLookAhead) {
                                 {test::trapezohedron_soup(9), 0.1},
                                 {test::random_quads(test::grid_soup(4, 4), random), 0.08},
                                 {test::with_mixed_faces(test::grid_soup(8, 8), random), 0.06}};
+  const int paintings = std::max(8, static_cast<int>(40 * test::effort()));
   Totals all;
   for (const Case& c : cases) {
-    const Totals totals = faces_over_paintings(c.soup, c.density, 40, random);
+    const Totals totals = faces_over_paintings(c.soup, c.density, paintings, random);
     EXPECT_GT(totals.paintings, 0) << c.soup.face_count() << " faces";
     EXPECT_LE(totals.look_ahead, totals.greedy) << c.soup.face_count() << " faces";
     all.paintings += totals.paintings;

@@ -16,6 +16,7 @@
 #include "limn/subdivision/crack_check.h"
 #include "limn/subdivision/settings.h"
 #include "scheme_shapes.h"
+#include "support/effort.h"
 #include "support/surface_match.h"
 
 namespace limn {
@@ -35,7 +36,7 @@ RefinedMesh refined(const ControlMesh& mesh, const Depths& depths,
 std::vector<test::NamedShape> triangle_shapes(test::Random& random) {
   std::vector<test::NamedShape> shapes;
   for (const test::NamedShape& shape : test::shapes_for(Scheme::kLoop)) {
-    if (shape.mesh->face_count() < 400) {
+    if (static_cast<double>(shape.mesh->face_count()) < 400 * test::effort()) {
       shapes.push_back({shape.name, test::set_apart(*shape.mesh, 0.01, random)});
       shapes.push_back({shape.name + ", creased",
                         test::with_random_creases(*shapes.back().mesh, 0.3, 0.05, random)});
