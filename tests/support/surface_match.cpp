@@ -20,7 +20,7 @@ using Cycle = std::vector<std::uint32_t>;
 
 /// The same cycle from its lowest vertex on.
 Cycle from_lowest(Cycle cycle) {
-  std::ranges::rotate(cycle, std::ranges::min_element(cycle));
+  std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end());
   return cycle;
 }
 

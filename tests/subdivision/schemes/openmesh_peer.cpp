@@ -29,9 +29,7 @@ PlainMesh subdivided(const ControlMesh& mesh, int levels) {
     triangles.add_face(vertex(0), vertex(1), vertex(2));
   }
   Subdivider subdivider;
-  subdivider.attach(triangles);
-  LIMN_EXPECTS(subdivider(static_cast<std::size_t>(levels)));
-  subdivider.detach();
+  LIMN_EXPECTS(subdivider(triangles, static_cast<std::size_t>(levels)));
   PlainMesh result;
   for (const OpenMesh::VertexHandle v : triangles.vertices()) {
     const OpenMesh::Vec3d& p = triangles.point(v);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "limn/subdivision/schemes/uniform.h"
