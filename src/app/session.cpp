@@ -187,6 +187,7 @@ void Session::cancel() {
   if (!std::holds_alternative<std::monostate>(modal_)) {
     if (std::holds_alternative<ui::OverBudgetQuestion>(modal_)) {
       refinement_.decline();
+      step_back_to_shown();
       export_path_.reset();
     }
     held_back_.reset();

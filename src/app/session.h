@@ -168,6 +168,8 @@ class Session {
   void show_scheme(std::optional<SchemeSettings> scheme);
   void change_scheme(const SchemeSettings& scheme);
   void step_to(int level);
+  /// To the level that is there, where the one asked for would be too large.
+  void step_back_to_shown();
   void edit_edge(Result<std::unique_ptr<Command>> edit);
   [[nodiscard]] SphereJob::Question sphere_question() const;
   void compare_with_sphere();

@@ -148,6 +148,18 @@ void Session::step_to(int level) {
   }
 }
 
+void Session::step_back_to_shown() {
+  if (!document_.scheme) {
+    return;  // The painting asks for more than is shown, and goes on being painted.
+  }
+  const JobResult* const shown = refinement_.refined();
+  const bool is_same = shown != nullptr && shown->scheme == shown_scheme(document_);
+  const int level = is_same ? shown->prediction.levels : 0;
+  if (level != document_.stage.levels) {
+    set_stage({document_.stage.is_legalised, level}, fmt::format("back to level {}", level));
+  }
+}
+
 bool Session::perform_edge(const ui::Action& action) {
   if (action.id != kSplitEdge && action.id != kFlipEdge) {
     return false;

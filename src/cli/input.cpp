@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -199,6 +200,12 @@ std::shared_ptr<void> limit_threads(int threads) {
 Result<Derived> derive(const Project& project, const PaintingOptions& options) {
   const std::shared_ptr<void> limit = limit_threads(options.threads);
   const Document& document = project.document;
+  if (document.scheme) {
+    print_note(fmt::format(
+        "{}: the project shows {}; here its painting is refined. --scheme (render, subdivide) "
+        "takes the whole mesh",
+        document.name, scheme_info(document.scheme->scheme).title));
+  }
   TerminalProgress progress;
   Result<DerivedLabels> labels =
       derive_labels(*document.control, document.depths.values(), document.settings, progress);

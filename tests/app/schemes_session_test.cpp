@@ -179,6 +179,20 @@ TEST_F(SchemesSessionTest, OverTheBudgetItAsks) {
   EXPECT_EQ(faces(), 1280U);
 }
 
+TEST_F(SchemesSessionTest, WhatIsTooLargeIsSteppedBackFrom) {
+  session_.set_face_budget(1000);
+  choose("loop");
+  session_.perform({kSetSchemeLevel, 1});
+  EXPECT_EQ(faces(), 80U);
+  session_.perform({kSetSchemeLevel, 3});
+  session_.finish_refinement();
+  session_.perform(kCancel);
+  EXPECT_EQ(level(), 1);
+  EXPECT_EQ(faces(), 80U);
+  session_.perform(kSchemeForward);
+  EXPECT_EQ(faces(), 320U) << "and from there on";
+}
+
 TEST_F(SchemesSessionTest, ApplyTakesTheSchemesMesh) {
   choose("loop");
   session_.perform({kSetSchemeLevel, 1});

@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "limn/document/project_file.h"
+#include "limn/mesh/bundled.h"
 #include "limn/mesh/import.h"
 #include "limn_program.h"
 
@@ -63,6 +65,16 @@ TEST(Refine, ByLoopOnTriangles) {
   const ProgramRun quads = limn({"refine", "cube", "--adaptive", "loop", "--paint", "all:=1"});
   EXPECT_EQ(quads.exit_code, 1);
   EXPECT_THAT(quads.err, HasSubstr("Triangulate the mesh first"));
+}
+
+TEST(Refine, SaysThatAProjectShowsAScheme) {
+  const ScratchFolder scratch;
+  Document document = make_document(load_bundled_mesh("cube").value(), "cube");
+  document.scheme = SchemeSettings{.scheme = Scheme::kDooSabin};
+  ASSERT_TRUE(save_project(scratch.file("dual.limn"), document, std::nullopt));
+  const ProgramRun run = limn({"refine", scratch.file("dual.limn"), "--paint", "all:=1"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("the project shows Doo-Sabin"));
 }
 
 TEST(Refine, RulesApplyInTheOrderGiven) {
