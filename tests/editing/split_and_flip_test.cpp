@@ -99,7 +99,7 @@ TEST(SplitAndFlip, EqualsLoopOnBundledMeshes) {
 
 TEST(SplitAndFlip, EqualsLoopOnRandomMeshes) {
   Random random(6);
-  for (int i = 0; i < static_cast<int>(24 * effort()); ++i) {
+  for (int i = 0; i < std::max(8, static_cast<int>(24 * effort())); ++i) {
     SCOPED_TRACE(i);
     const MeshPointer mesh = random_triangles(i, random);
     expect_loop(mesh, 2, i % 2 == 0 ? CornerRule::kSharp : CornerRule::kSmooth);
@@ -108,7 +108,7 @@ TEST(SplitAndFlip, EqualsLoopOnRandomMeshes) {
 
 TEST(SplitAndFlip, EqualsLoopWithCreases) {
   Random random(7);
-  for (int i = 0; i < static_cast<int>(24 * effort()); ++i) {
+  for (int i = 0; i < std::max(8, static_cast<int>(24 * effort())); ++i) {
     SCOPED_TRACE(i);
     const MeshPointer mesh = with_random_creases(*random_triangles(i, random), 0.3, 0.1, random);
     MeshAttributes attributes = mesh->attributes();
