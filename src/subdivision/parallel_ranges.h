@@ -22,7 +22,13 @@ void parallel_ranges(std::size_t begin, std::size_t end, std::size_t grain, cons
 #ifdef __SANITIZE_THREAD__
   // The thread sanitizer cannot see how a oneTBB that was built without it hands work over, and a
   // suppression wide enough for that would hide races of the loops themselves. Plain threads need
-  // none.
+  // none. What is no more than a grain has one thread with oneTBB as well.
+  if (end - begin <= grain) {
+    if (begin < end) {
+      body(begin, end);
+    }
+    return;
+  }
   std::atomic<std::size_t> next = begin;
   std::array<std::thread, 4> threads;
   for (std::thread& thread : threads) {
