@@ -200,15 +200,7 @@ void add_sphere_command(CLI::App& compare, Work& work) {
       ->check(CLI::IsMember({"original", "warren", "both"}).description(""))
       ->type_name("WORD")
       ->default_str("both");
-  command->add_option("--levels", options->levels, "How many steps")
-      ->type_name("N")
-      ->check(CLI::Range(0, kMostSchemeLevels))
-      ->capture_default_str();
-  command
-      ->add_option("--budget", options->face_budget,
-                   "Refuse, before any work on a mesh, a last level with more faces")
-      ->type_name("FACES")
-      ->capture_default_str();
+  add_level_options(*command, options->levels, options->face_budget);
   command->add_flag(
       "--average", options->averages,
       "After each split of linear, move vertices to the mean of the centroids around");

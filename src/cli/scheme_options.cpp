@@ -24,6 +24,18 @@ std::string scheme_words() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+void add_level_options(CLI::App& command, int& levels, std::uint64_t& face_budget) {
+  command.add_option("--levels", levels, "How many steps")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostSchemeLevels))
+      ->capture_default_str();
+  command
+      .add_option("--budget", face_budget,
+                  "Refuse, before any work on a mesh, a last level with more faces")
+      ->type_name("FACES")
+      ->capture_default_str();
+}
+
 void add_corners_option(CLI::App& command, std::optional<CornerRule>& corners) {
   command
       .add_option("--corners", corners,

@@ -30,6 +30,8 @@ struct SchemeOptions {
 
 /// Adds --scheme, --weights, --average and --fit.
 void add_scheme_options(CLI::App& command, SchemeOptions& options);
+/// Adds --levels and --budget.
+void add_level_options(CLI::App& command, int& levels, std::uint64_t& face_budget);
 /// Adds --corners.
 void add_corners_option(CLI::App& command, std::optional<CornerRule>& corners);
 

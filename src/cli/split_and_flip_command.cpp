@@ -74,15 +74,7 @@ void add_split_and_flip_command(CLI::App& program, Work& work) {
   add_input_option(*command, options->input);
   add_output_option(*command, options->output, true);
   add_corners_option(*command, options->corners);
-  command->add_option("--levels", options->levels, "How many times")
-      ->type_name("N")
-      ->check(CLI::Range(0, kMostSchemeLevels))
-      ->capture_default_str();
-  command
-      ->add_option("--budget", options->face_budget,
-                   "Refuse, before any work, a result with more faces")
-      ->type_name("FACES")
-      ->capture_default_str();
+  add_level_options(*command, options->levels, options->face_budget);
   command->add_flag("--fit", options->is_fitted, "Cut what is no triangle into triangles first");
   command->callback([options, &work] {
     check_output(options->output, false);

@@ -114,15 +114,7 @@ void add_subdivide_command(CLI::App& program, Work& work) {
   add_scheme_options(*command, options->scheme);
   command->get_option("--scheme")->required();
   add_corners_option(*command, options->scheme.corners);
-  command->add_option("--levels", options->levels, "How many steps")
-      ->type_name("N")
-      ->check(CLI::Range(0, kMostSchemeLevels))
-      ->capture_default_str();
-  command
-      ->add_option("--budget", options->face_budget,
-                   "Refuse, before any work, a result with more faces")
-      ->type_name("FACES")
-      ->capture_default_str();
+  add_level_options(*command, options->levels, options->face_budget);
   command
       ->add_option("--threads", options->threads, "Use at most N threads; the result is the same")
       ->type_name("N")
