@@ -6,7 +6,6 @@ a sphere, and takes the program's own screenshot.
 """
 
 import os
-import shutil
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tests", "e2e"))
@@ -34,10 +33,7 @@ def main(executable, picture):
                 x, y, width, height = state["viewport"]
                 program.move(x + 0.5 * width, y + 0.97 * height)
                 program.wait_for("the pointer is out of the way", lambda s: s["hover"] is None)
-                program.key("F12")
-                program.wait_for("the picture is taken", lambda _: os.listdir(program.pictures))
-                taken = os.path.join(program.pictures, os.listdir(program.pictures)[0])
-                shutil.copyfile(taken, picture)
+                program.take_picture(picture)
             finally:
                 program.kill()
     finally:

@@ -5,7 +5,6 @@ Opens a project on an X server of its own, subdivides it and takes the program's
 """
 
 import os
-import shutil
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tests", "e2e"))
@@ -26,10 +25,7 @@ def main(executable, project, picture):
                 x, y, width, height = state["viewport"]
                 program.move(x + 0.36 * width, y + 0.5 * height)
                 program.wait_for("the brush is over the mesh", lambda s: s["hover"] is not None)
-                program.key("F12")
-                program.wait_for("the picture is taken", lambda _: os.listdir(program.pictures))
-                taken = os.path.join(program.pictures, os.listdir(program.pictures)[0])
-                shutil.copyfile(taken, picture)
+                program.take_picture(picture)
             finally:
                 program.kill()
     finally:

@@ -132,6 +132,12 @@ class Program:
         x, y, width, height = found[0]
         return x + width / 2, y + height / 2
 
+    def take_picture(self, path):
+        """The window as it is, the first picture of this run, as a file of its own."""
+        self.key("F12")
+        self.wait_for("the picture is taken", lambda _: os.listdir(self.pictures))
+        shutil.copyfile(os.path.join(self.pictures, os.listdir(self.pictures)[0]), path)
+
     def close_window(self):
         """Asks the window to close, as a window manager does."""
         window = subprocess.run(["xdotool", "search", "--class", "^Limn$"], env=self.environment,
