@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,15 +22,17 @@ enum class ErrorKind {
 /// A failure as a value: what went wrong, where, and what to do about it.
 ///
 /// `message` is a full sentence for people. `path` is empty where no file is involved; `line` is
-/// 1-based and 0 where no line is meant.
+/// 1-based and 0 where no line is meant. In a binary file `byte` says where, from 0.
 struct Error {
   ErrorKind kind = ErrorKind::kFailed;
   std::string message;
   std::string path;
   std::size_t line = 0;
+  std::optional<std::size_t> byte = std::nullopt;
 };
 
-/// The error on one line, `path:line: message`, leaving out what is not known.
+/// The error on one line, `path:line: message` or `path: byte N: message`, leaving out what is not
+/// known.
 [[nodiscard]] std::string to_string(const Error& error);
 
 /// Either a value or the Error that explains why there is none.

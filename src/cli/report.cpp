@@ -139,6 +139,10 @@ Json control_report(const Document& document) {
   const MeshStatistics counts = mesh_statistics(*document.control);
   const Bounds& bounds = document.control->bounds();
   const ImportReport& mended = document.import_report;
+  Json mended_counts = Json::object();
+  for (std::size_t kind = 0; kind < kMendKindCount; ++kind) {
+    mended_counts[std::string(name_of(MendKind(kind)))] = mended.count(MendKind(kind));
+  }
   Json sides = Json::object();
   for (const auto& [side_count, faces] : counts.faces_by_sides) {
     sides[std::to_string(side_count)] = faces;
@@ -159,16 +163,7 @@ Json control_report(const Document& document) {
       {"uv_points", counts.uv_points},
       {"uv_seams", counts.uv_seams},
       {"bounds", {{"low", point(bounds.low)}, {"high", point(bounds.high)}}},
-      {"mended",
-       {{"flipped_faces", mended.flipped_faces},
-        {"split_vertices", mended.split_vertices},
-        {"isolated_vertices", mended.isolated_vertices},
-        {"repeated_corners", mended.repeated_corners},
-        {"lost_creases", mended.lost_creases},
-        {"lost_corners", mended.lost_corners},
-        {"negative_sharpness", mended.negative_sharpness},
-        {"filled_uvs", mended.filled_uvs},
-        {"broken_uvs", mended.broken_uvs}}},
+      {"mended", mended_counts},
       {"unused_data", mended.unused_data},
   };
 }

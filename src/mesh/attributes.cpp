@@ -46,7 +46,7 @@ std::vector<NamedEdge> edges_at(const std::vector<std::uint8_t>& is_named, const
 float checked(float sharpness, ImportReport& report) {
   LIMN_EXPECTS(std::isfinite(sharpness));
   if (sharpness < 0.0f) {
-    ++report.negative_sharpness;
+    report.add(MendKind::kNegativeSharpness);
     return 0.0f;
   }
   return sharpness;
@@ -77,7 +77,7 @@ std::vector<float> edge_sharpness(std::span<const CreaseTag> tags, const FaceArr
     const auto ends = rising(tag.vertices[0], tag.vertices[1]);
     const auto found = std::ranges::lower_bound(named, ends, {}, &NamedEdge::ends);
     if (found == named.end() || found->ends != ends) {
-      ++report.lost_creases;
+      report.add(MendKind::kLostCrease);
     } else {
       sharpness[found->edge] = checked(tag.sharpness, report);
     }
@@ -98,7 +98,7 @@ std::vector<float> vertex_sharpness(const PolygonSoup& soup,
   std::vector<float> of_sources(soup.positions.size(), 0.0f);
   for (const CornerTag& tag : soup.corners) {
     if (tag.vertex >= is_there.size() || is_there[tag.vertex] == 0) {
-      ++report.lost_corners;
+      report.add(MendKind::kLostCorner);
     } else {
       of_sources[tag.vertex] = checked(tag.sharpness, report);
     }
@@ -136,7 +136,7 @@ TextureCoordinates texture_coordinates(const PolygonSoup& soup,
     return {};
   }
   if (missing > 0) {
-    report.filled_uvs = missing;
+    report.add(MendKind::kFilledUv, missing);
     result.values.emplace_back(0.0, 0.0);
   }
   const auto filler = static_cast<std::uint32_t>(result.values.size() - 1);

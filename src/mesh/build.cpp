@@ -11,7 +11,6 @@
 
 #include "limn/contract.h"
 #include "mesh/attributes.h"
-#include "mesh/counted.h"
 #include "mesh/edge_matching.h"
 #include "mesh/halfedge_assembly.h"
 #include "mesh/mending.h"
@@ -25,28 +24,28 @@ class Names {
   explicit Names(const PolygonSoup& soup) : soup_(soup) {}
 
   [[nodiscard]] std::string vertex(std::size_t v) const {
-    return has_vertex_lines() ? fmt::format("the vertex of line {}", soup_.vertex_lines[v])
-                              : fmt::format("vertex {}", v);
+    return has_vertex_places() ? fmt::format("the vertex of line {}", soup_.vertex_places[v])
+                               : fmt::format("vertex {}", v);
   }
   /// `message` goes on from the name of the vertex.
   [[nodiscard]] tl::unexpected<Error> blame_vertex(std::size_t v,
                                                    const std::string& message) const {
     return fail(ErrorKind::kBadInput,
-                has_vertex_lines() ? fmt::format("This vertex {}", message)
-                                   : fmt::format("Vertex {} {}", v, message),
-                soup_.source, has_vertex_lines() ? soup_.vertex_lines[v] : 0);
+                has_vertex_places() ? fmt::format("This vertex {}", message)
+                                    : fmt::format("Vertex {} {}", v, message),
+                soup_.source, has_vertex_places() ? soup_.vertex_places[v] : 0);
   }
   /// `message` goes on from the name of the face.
   [[nodiscard]] tl::unexpected<Error> blame_face(std::size_t f, const std::string& message) const {
     return fail(ErrorKind::kBadInput,
-                has_face_lines() ? fmt::format("This face {}", message)
-                                 : fmt::format("Face {} {}", f, message),
-                soup_.source, has_face_lines() ? soup_.face_lines[f] : 0);
+                has_face_places() ? fmt::format("This face {}", message)
+                                  : fmt::format("Face {} {}", f, message),
+                soup_.source, has_face_places() ? soup_.face_places[f] : 0);
   }
 
  private:
-  [[nodiscard]] bool has_vertex_lines() const { return !soup_.vertex_lines.empty(); }
-  [[nodiscard]] bool has_face_lines() const { return !soup_.face_lines.empty(); }
+  [[nodiscard]] bool has_vertex_places() const { return !soup_.vertex_places.empty(); }
+  [[nodiscard]] bool has_face_places() const { return !soup_.face_places.empty(); }
 
   const PolygonSoup& soup_;
 };
@@ -55,8 +54,8 @@ void expect_well_formed(const PolygonSoup& soup) {
   LIMN_EXPECTS(!soup.face_offsets.empty() && soup.face_offsets.front() == 0);
   LIMN_EXPECTS(std::is_sorted(soup.face_offsets.begin(), soup.face_offsets.end()));
   LIMN_EXPECTS(soup.face_offsets.back() == soup.face_vertices.size());
-  LIMN_EXPECTS(soup.vertex_lines.empty() || soup.vertex_lines.size() == soup.positions.size());
-  LIMN_EXPECTS(soup.face_lines.empty() || soup.face_lines.size() == soup.face_count());
+  LIMN_EXPECTS(soup.vertex_places.empty() || soup.vertex_places.size() == soup.positions.size());
+  LIMN_EXPECTS(soup.face_places.empty() || soup.face_places.size() == soup.face_count());
   LIMN_EXPECTS(soup.face_uvs.empty() || soup.face_uvs.size() == soup.face_vertices.size());
 }
 
@@ -163,62 +162,7 @@ HalfedgeMesh with_positions(HalfedgeMesh mesh, const PolygonSoup& soup,
 
 }  // namespace
 
-using detail::counted;
-
-bool ImportReport::is_mended() const noexcept {
-  return flipped_faces + split_vertices + isolated_vertices + repeated_corners + lost_creases +
-             lost_corners + negative_sharpness + filled_uvs + broken_uvs >
-         0;
-}
-
-std::vector<std::string> ImportReport::sentences() const {
-  std::vector<std::string> result;
-  if (flipped_faces > 0) {
-    result.push_back(fmt::format("{} turned over to agree with the neighbours.",
-                                 counted(flipped_faces, "face was", "faces were")));
-  }
-  if (split_vertices > 0) {
-    result.push_back(fmt::format("{} added where parts of the surface met in a single point.",
-                                 counted(split_vertices, "vertex was", "vertices were")));
-  }
-  if (isolated_vertices > 0) {
-    result.push_back(fmt::format("{} in no face and dropped.",
-                                 counted(isolated_vertices, "vertex was", "vertices were")));
-  }
-  if (repeated_corners > 0) {
-    result.push_back(counted(repeated_corners,
-                             "corner of a face repeated the one before and was merged with it.",
-                             "corners of faces repeated the one before and were merged with it."));
-  }
-  if (lost_creases > 0) {
-    result.push_back(counted(lost_creases, "crease tag was left out: it names no edge of the mesh.",
-                             "crease tags were left out: they name no edge of the mesh."));
-  }
-  if (lost_corners > 0) {
-    result.push_back(counted(lost_corners,
-                             "corner tag was left out: it names no vertex of the mesh.",
-                             "corner tags were left out: they name no vertex of the mesh."));
-  }
-  if (negative_sharpness > 0) {
-    result.push_back(counted(negative_sharpness, "sharpness was negative and became 0.",
-                             "values of sharpness were negative and became 0."));
-  }
-  if (filled_uvs > 0) {
-    result.push_back(counted(filled_uvs,
-                             "corner without texture coordinates was given the point 0 0.",
-                             "corners without texture coordinates were given one point, 0 0."));
-  }
-  if (broken_uvs > 0) {
-    result.push_back(counted(broken_uvs, "texture coordinate was no usable number and became 0.",
-                             "texture coordinates were no usable numbers and became 0."));
-  }
-  for (const std::string& data : unused_data) {
-    result.push_back(fmt::format("Not used: {}.", data));
-  }
-  return result;
-}
-
-Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
+Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup, const BuildSettings&) {
   expect_well_formed(soup);
   const Names names(soup);
   if (soup.face_count() == 0) {
@@ -241,7 +185,7 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
   }
   detail::WorkingFaces faces = std::move(*cleaned);
   ImportReport report;
-  report.repeated_corners = soup.face_vertices.size() - faces.vertices.size();
+  report.add(MendKind::kRepeatedCorner, soup.face_vertices.size() - faces.vertices.size());
 
   detail::EdgeMatching edges = detail::match_edges(faces.arrays());
   if (edges.crowded_corner != kNone) {
@@ -256,7 +200,7 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
   if (orientation.flipped_faces > 0) {
     detail::flip_faces(orientation.is_flipped, faces, edges);
   }
-  report.flipped_faces = orientation.flipped_faces;
+  report.add(MendKind::kFlippedFace, orientation.flipped_faces);
 
   // Tags name the file's vertices; from here on they are numbered anew.
   MeshAttributes attributes;
@@ -267,8 +211,8 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
   const detail::Fans fans = detail::separate_fans(faces, edges);
   attributes.creases.vertex_sharpness = detail::vertex_sharpness(soup, fans.vertex_sources, report);
   attributes.texture = detail::texture_coordinates(soup, std::move(faces.uvs), report);
-  report.split_vertices = fans.split_vertices;
-  report.isolated_vertices = fans.isolated_vertices;
+  report.add(MendKind::kSplitVertex, fans.split_vertices);
+  report.add(MendKind::kLooseVertex, fans.isolated_vertices);
   if (auto size = detail::check_halfedge_limits(faces.vertex_count, edges.edge_corners.size(),
                                                 faces.arrays().face_count());
       !size) {
@@ -278,6 +222,7 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup) {
                           with_positions(detail::assemble_halfedges(faces.arrays(), edges), soup,
                                          fans.vertex_sources),
                           std::move(attributes)),
+                      {},
                       std::move(report)};
 }
 

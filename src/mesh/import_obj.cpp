@@ -30,7 +30,7 @@ struct Reading {
 void add_vertex(void* user, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
   auto& [statements, soup] = *static_cast<Reading*>(user);
   soup.positions.push_back(statements.position());
-  soup.vertex_lines.push_back(statements.line());
+  soup.vertex_places.push_back(statements.line());
 }
 
 void add_face(void* user, tinyobj::index_t* corners, int count) {
@@ -45,7 +45,7 @@ void add_face(void* user, tinyobj::index_t* corners, int count) {
   soup.face_uvs.insert(soup.face_uvs.end(), statements.face_uvs().begin(),
                        statements.face_uvs().end());
   soup.face_offsets.push_back(static_cast<std::uint32_t>(soup.face_vertices.size()));
-  soup.face_lines.push_back(statements.line());
+  soup.face_places.push_back(statements.line());
 }
 
 Result<void> check_encoding(std::string_view text, const std::string& source) {
@@ -68,7 +68,7 @@ Result<void> check_indices(const PolygonSoup& soup) {
             ErrorKind::kBadInput,
             fmt::format("A face names vertex {}, but the file has {} {}.", v + 1ULL,
                         soup.positions.size(), soup.positions.size() == 1 ? "vertex" : "vertices"),
-            soup.source, soup.face_lines[f]);
+            soup.source, soup.face_places[f]);
       }
     }
   }
@@ -127,7 +127,7 @@ Result<ImportedMesh> read_and_build(std::string_view text, const std::string& so
   auto imported = build_control_mesh(soup);
   if (imported) {
     ImportReport& report = imported->report;
-    report.broken_uvs = statements.broken_uvs();
+    report.add(MendKind::kBrokenUv, statements.broken_uvs());
     report.unused_data.insert(report.unused_data.begin(), phrases.begin(), phrases.end());
   }
   return imported;

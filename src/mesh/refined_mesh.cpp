@@ -65,7 +65,7 @@ Creases creases_of(const RefinedMesh& mesh, const Matched& matched) {
   }
   ImportReport report;
   creases.edge_sharpness = detail::edge_sharpness(tags, matched.arrays(), matched.edges, report);
-  LIMN_EXPECTS(report.lost_creases + report.negative_sharpness == 0);
+  LIMN_EXPECTS(!report.is_mended());
   if (!mesh.corners.empty()) {
     creases.vertex_sharpness.assign(mesh.vertex_count(), 0.0f);
     for (const RefinedCorner& corner : mesh.corners) {
@@ -114,7 +114,7 @@ std::shared_ptr<const ControlMesh> to_control_mesh(const RefinedMesh& mesh) {
   const Matched matched = match(mesh);
   return std::make_shared<const ControlMesh>(
       assemble(mesh, matched),
-      MeshAttributes{creases_of(mesh, matched), mesh.corner_rule, texture_of(mesh)});
+      MeshAttributes{creases_of(mesh, matched), mesh.corner_rule, texture_of(mesh), {}, {}});
 }
 
 }  // namespace limn

@@ -37,7 +37,7 @@ TEST(OpenDocument, MeshFiles) {
   EXPECT_EQ(opened->document.mesh_path, path);
   EXPECT_TRUE(opened->document.project_path.empty());
   EXPECT_EQ(opened->document.control->face_count(), 1U);
-  EXPECT_EQ(opened->document.import_report.isolated_vertices, 1U);
+  EXPECT_EQ(opened->document.import_report.count(MendKind::kLooseVertex), 1U);
 }
 
 TEST(OpenDocument, Projects) {

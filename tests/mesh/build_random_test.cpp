@@ -121,7 +121,7 @@ void expect_same_geometry(const PolygonSoup& soup, const ImportedMesh& built) {
     ASSERT_TRUE(!is_flipped || agrees(true)) << "face " << f;
     flipped += is_flipped ? 1 : 0;
   }
-  EXPECT_EQ(flipped, built.report.flipped_faces);
+  EXPECT_EQ(flipped, built.report.count(MendKind::kFlippedFace));
 }
 
 TEST(BuildRandomSoup, AgreesWithBruteForce) {
@@ -151,10 +151,10 @@ TEST(BuildRandomSoup, AgreesWithBruteForce) {
     ++accepted;
     ASSERT_THAT(faults_of(*built->mesh), IsEmpty()) << "round " << round;
     ASSERT_NO_FATAL_FAILURE(expect_same_geometry(soup, *built));
-    EXPECT_EQ(built->report.flipped_faces, *flips);
-    EXPECT_EQ(built->report.split_vertices, extra_fans(vertex_count, faces));
-    EXPECT_EQ(built->report.isolated_vertices, vertex_count - vertices_in_use(faces));
-    split += built->report.split_vertices > 0 ? 1 : 0;
+    EXPECT_EQ(built->report.count(MendKind::kFlippedFace), *flips);
+    EXPECT_EQ(built->report.count(MendKind::kSplitVertex), extra_fans(vertex_count, faces));
+    EXPECT_EQ(built->report.count(MendKind::kLooseVertex), vertex_count - vertices_in_use(faces));
+    split += built->report.count(MendKind::kSplitVertex) > 0 ? 1 : 0;
   }
   // The sample must have met every case.
   EXPECT_GT(accepted, 500U);
@@ -216,9 +216,9 @@ TEST(BuildShuffledManifold, ComesBackOrientedWithTheSameGeometry) {
     ASSERT_THAT(faults_of(*built->mesh), IsEmpty());
     ASSERT_NO_FATAL_FAILURE(expect_same_geometry(soup, *built));
     EXPECT_EQ(built->mesh->is_closed(), !is_open);
-    EXPECT_EQ(built->report.split_vertices, extra_fans(names.size(), faces));
+    EXPECT_EQ(built->report.count(MendKind::kSplitVertex), extra_fans(names.size(), faces));
     if (!is_open) {
-      EXPECT_LE(2 * built->report.flipped_faces, faces.size());
+      EXPECT_LE(2 * built->report.count(MendKind::kFlippedFace), faces.size());
     }
   }
 }
@@ -240,8 +240,8 @@ TEST(BuildShuffledManifold, PinchedVerticesAreTornApartAgain) {
     ASSERT_TRUE(built.has_value()) << to_string(built.error());
     EXPECT_THAT(faults_of(*built->mesh), IsEmpty());
     ASSERT_NO_FATAL_FAILURE(expect_same_geometry(soup, *built));
-    EXPECT_EQ(built->report.split_vertices, 6U);
-    EXPECT_EQ(built->report.isolated_vertices, 6U);
+    EXPECT_EQ(built->report.count(MendKind::kSplitVertex), 6U);
+    EXPECT_EQ(built->report.count(MendKind::kLooseVertex), 6U);
     EXPECT_EQ(built->mesh->vertex_count(), 144U);
     EXPECT_TRUE(built->mesh->is_closed());
   }

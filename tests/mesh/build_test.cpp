@@ -83,7 +83,7 @@ TEST(BuildControlMesh, FlipsTheSmallerSideAboutItsFirstCorner) {
   const auto built = build(8, faces);
   ASSERT_TRUE(built.has_value());
   EXPECT_EQ(faces_of(*built->mesh), Cube);
-  EXPECT_EQ(built->report.flipped_faces, 1U);
+  EXPECT_EQ(built->report.count(MendKind::kFlippedFace), 1U);
   EXPECT_TRUE(built->report.is_mended());
   EXPECT_THAT(built->report.sentences(),
               ElementsAre("1 face was turned over to agree with the neighbours."));
@@ -100,7 +100,7 @@ TEST(BuildControlMesh, FlipsEachComponentByItself) {
   const auto built = build(10, {{0, 1, 2}, {2, 1, 3}, {2, 4, 3}, {5, 7, 6}, {7, 6, 8}, {7, 8, 9}});
   ASSERT_TRUE(built.has_value());
   EXPECT_THAT(faults_of(*built->mesh), IsEmpty());
-  EXPECT_EQ(built->report.flipped_faces, 2U);
+  EXPECT_EQ(built->report.count(MendKind::kFlippedFace), 2U);
   EXPECT_EQ(faces_of(*built->mesh)[2], (std::vector<std::uint32_t>{2, 3, 4}));
   EXPECT_EQ(faces_of(*built->mesh)[3], (std::vector<std::uint32_t>{5, 6, 7}));
 }
@@ -111,7 +111,7 @@ TEST(BuildControlMesh, SplitsABowTieAndPutsTheCopyLast) {
   ASSERT_TRUE(built.has_value());
   EXPECT_THAT(faults_of(*built->mesh), IsEmpty());
   EXPECT_EQ(faces_of(*built->mesh), (Faces{{0, 1, 2}, {7, 3, 4}, {8, 5, 6}}));
-  EXPECT_EQ(built->report.split_vertices, 2U);
+  EXPECT_EQ(built->report.count(MendKind::kSplitVertex), 2U);
   EXPECT_EQ(built->mesh->positions()[7], soup.positions[2]);
   EXPECT_EQ(built->mesh->positions()[8], soup.positions[2]);
 }
@@ -121,7 +121,7 @@ TEST(BuildControlMesh, DropsIsolatedVerticesInOrder) {
   const auto built = build_control_mesh(soup);
   ASSERT_TRUE(built.has_value());
   EXPECT_EQ(faces_of(*built->mesh), (Faces{{0, 1, 2}}));
-  EXPECT_EQ(built->report.isolated_vertices, 3U);
+  EXPECT_EQ(built->report.count(MendKind::kLooseVertex), 3U);
   EXPECT_EQ(built->mesh->positions()[2], soup.positions[5]);
   EXPECT_EQ(built->mesh->bounds().low, soup.positions[1]);
 }
@@ -130,7 +130,7 @@ TEST(BuildControlMesh, MergesRepeatedCornersKeepingTheFirst) {
   const auto built = build(5, {{0, 0, 1, 2, 2, 2, 0}, {2, 1, 3, 4}});
   ASSERT_TRUE(built.has_value());
   EXPECT_EQ(faces_of(*built->mesh), (Faces{{0, 1, 2}, {2, 1, 3, 4}}));
-  EXPECT_EQ(built->report.repeated_corners, 4U);
+  EXPECT_EQ(built->report.count(MendKind::kRepeatedCorner), 4U);
 }
 
 TEST(BuildControlMesh, BackToBackFacesAreAClosedPillow) {
@@ -192,8 +192,8 @@ TEST(BuildControlMesh, RefusesMoebiusBandsOfAnyLength) {
 TEST(BuildControlMesh, ErrorsNameTheSourceLines) {
   PolygonSoup soup = soup_of(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   soup.source = "some.obj";
-  soup.vertex_lines = {10, 11, 12, 13, 14};
-  soup.face_lines = {20, 30, 40};
+  soup.vertex_places = {10, 11, 12, 13, 14};
+  soup.face_places = {20, 30, 40};
   const auto crowded = build_control_mesh(soup);
   ASSERT_FALSE(crowded.has_value());
   EXPECT_THAT(to_string(crowded.error()),

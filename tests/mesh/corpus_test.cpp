@@ -62,11 +62,11 @@ void expect_statistics(const Row& row, const ImportedMesh& imported) {
   }
   EXPECT_EQ(s.boundary_edges, number(row, "bndE"));
   EXPECT_EQ(s.boundary_edges == 0, s.boundary_loops == 0);
-  EXPECT_EQ(imported.report.isolated_vertices, number(row, "iso"));
-  EXPECT_EQ(s.vertices + imported.report.isolated_vertices,
-            number(row, "nV") + imported.report.split_vertices);
-  EXPECT_EQ(imported.report.flipped_faces > 0, number(row, "oriE") > 0);
-  EXPECT_EQ(imported.report.split_vertices > 0, number(row, "nmV") > 0);
+  EXPECT_EQ(imported.report.count(MendKind::kLooseVertex), number(row, "iso"));
+  EXPECT_EQ(s.vertices + imported.report.count(MendKind::kLooseVertex),
+            number(row, "nV") + imported.report.count(MendKind::kSplitVertex));
+  EXPECT_EQ(imported.report.count(MendKind::kFlippedFace) > 0, number(row, "oriE") > 0);
+  EXPECT_EQ(imported.report.count(MendKind::kSplitVertex) > 0, number(row, "nmV") > 0);
 }
 
 TEST(Corpus, EveryObjImportsOrIsRefusedForAReasonInTheManifest) {

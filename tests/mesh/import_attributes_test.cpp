@@ -207,12 +207,12 @@ TEST(ImportCreases, GoWithTheirEdgesThroughMending) {
       "t crease 2/1/0 2 5 1.25\nt crease 2/1/0 3 8 2\nt crease 2/1/0 3 6 3\nt corner 1/1/0 3 4\n"
       "t corner 1/1/0 0 5\n");
   const ControlMesh& mesh = *imported.mesh;
-  EXPECT_EQ(imported.report.flipped_faces, 1U);
-  EXPECT_EQ(imported.report.split_vertices, 1U);
-  EXPECT_EQ(imported.report.isolated_vertices, 1U);
-  EXPECT_EQ(imported.report.repeated_corners, 1U);
-  EXPECT_EQ(imported.report.lost_corners, 1U);
-  EXPECT_EQ(imported.report.lost_creases, 0U);
+  EXPECT_EQ(imported.report.count(MendKind::kFlippedFace), 1U);
+  EXPECT_EQ(imported.report.count(MendKind::kSplitVertex), 1U);
+  EXPECT_EQ(imported.report.count(MendKind::kLooseVertex), 1U);
+  EXPECT_EQ(imported.report.count(MendKind::kRepeatedCorner), 1U);
+  EXPECT_EQ(imported.report.count(MendKind::kLostCorner), 1U);
+  EXPECT_EQ(imported.report.count(MendKind::kLostCrease), 0U);
   // File vertices 1.. are 0.. now; file vertex 3 is 2, and its copy comes last, as 10.
   EXPECT_EQ(faces_of(mesh)[3], (std::vector<std::uint32_t>{10, 7, 6}));
   EXPECT_THAT(creases_of(mesh),
@@ -285,8 +285,8 @@ TEST(ImportUvs, GoWithTheirCornersThroughMending) {
       "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 0 0\nv 3 1 0\n"
       "vt 0 1\nvt 0 2\nvt 0 3\nvt 0 4\nvt 0 5\nvt 0 6\nvt 0 7\nvt 0 8\nvt 0 9\n"
       "f 1/1 4/2 5/3 5/9 2/4\nf 2/4 3/5 6/6 5/3\nf 3/7 7/8 8/1 6/2 3/9\n");
-  EXPECT_EQ(imported.report.flipped_faces, 1U);
-  EXPECT_EQ(imported.report.repeated_corners, 2U);
+  EXPECT_EQ(imported.report.count(MendKind::kFlippedFace), 1U);
+  EXPECT_EQ(imported.report.count(MendKind::kRepeatedCorner), 2U);
   EXPECT_EQ(faces_of(*imported.mesh)[0], (std::vector<std::uint32_t>{0, 1, 4, 3}));
   EXPECT_EQ(uvs_of(*imported.mesh, 0), (std::vector<Uv>{{0, 1}, {0, 4}, {0, 3}, {0, 2}}));
   EXPECT_EQ(uvs_of(*imported.mesh, 1), (std::vector<Uv>{{0, 4}, {0, 5}, {0, 6}, {0, 3}}));
@@ -309,10 +309,10 @@ TEST(Corpus, EveryTagOfOpenSubdivsShapesArrives) {
     if (!imported) {
       continue;  // Not a manifold: another test looks into why.
     }
-    EXPECT_EQ(imported->report.lost_creases, 0U);
-    EXPECT_EQ(imported->report.lost_corners, 0U);
-    EXPECT_EQ(imported->report.negative_sharpness, 0U);
-    EXPECT_EQ(imported->report.broken_uvs, 0U);
+    EXPECT_EQ(imported->report.count(MendKind::kLostCrease), 0U);
+    EXPECT_EQ(imported->report.count(MendKind::kLostCorner), 0U);
+    EXPECT_EQ(imported->report.count(MendKind::kNegativeSharpness), 0U);
+    EXPECT_EQ(imported->report.count(MendKind::kBrokenUv), 0U);
     for (const std::string& data : imported->report.unused_data) {
       EXPECT_THAT(data, testing::Not(HasSubstr("crease")));
       EXPECT_THAT(data, testing::Not(HasSubstr("corner")));
@@ -331,7 +331,7 @@ TEST(Corpus, EveryTagOfOpenSubdivsShapesArrives) {
       }
     }
     with_tags += creases.empty() && corners.empty() ? 0 : 1;
-    if (imported->report.isolated_vertices + imported->report.split_vertices > 0) {
+    if (imported->report.count(MendKind::kLooseVertex) + imported->report.count(MendKind::kSplitVertex) > 0) {
       continue;  // Numbered otherwise.
     }
     EXPECT_EQ(creases_of(*imported->mesh), creases);

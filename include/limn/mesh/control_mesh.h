@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "limn/mesh/creases.h"
+#include "limn/mesh/face_names.h"
 #include "limn/mesh/flat_topology.h"
 #include "limn/mesh/halfedge_mesh.h"
 #include "limn/mesh/texture_coordinates.h"
@@ -32,6 +33,9 @@ struct MeshAttributes {
   Creases creases;
   std::optional<CornerRule> corners;  ///< What the file asks of boundary corners, if it says so.
   TextureCoordinates texture;
+  FaceNaming names;
+  std::vector<glm::dvec3> loose_vertices;  ///< Vertices of the file in no face: no part of the
+                                           ///< surface, kept to be written back.
 };
 
 /// The polygon mesh the artist paints: an oriented 2-manifold, with or without boundary, of

@@ -12,6 +12,8 @@
 #include <glm/vec3.hpp>
 
 #include "limn/mesh/creases.h"
+#include "limn/mesh/face_names.h"
+#include "limn/mesh/import_report.h"
 
 namespace limn {
 
@@ -31,14 +33,15 @@ struct CornerTag {
 ///
 /// Face f has the corners `face_vertices[face_offsets[f] .. face_offsets[f + 1])`, indices into
 /// `positions`, 0-based, in the file's order. `face_offsets` has one entry more than there are
-/// faces and starts with 0. The two line arrays are either empty (a mesh made in memory) or hold
-/// the 1-based source line of every vertex and face.
+/// faces and starts with 0. The two arrays of places are either empty (a mesh made in memory) or
+/// hold where every vertex and face stands in the file: its line, from 1, or its byte, from 0.
 struct PolygonSoup {
   std::vector<glm::dvec3> positions;
   std::vector<std::uint32_t> face_offsets{0};
   std::vector<std::uint32_t> face_vertices;
-  std::vector<std::uint32_t> vertex_lines;
-  std::vector<std::uint32_t> face_lines;
+  std::vector<std::uint32_t> vertex_places;
+  std::vector<std::uint32_t> face_places;
+  PlaceUnit place_unit = PlaceUnit::kLine;
 
   /// In the file's order: of several for one edge or vertex the last counts. Sharpness is finite.
   std::vector<CreaseTag> creases;
@@ -51,7 +54,13 @@ struct PolygonSoup {
   std::vector<glm::dvec2> uvs;
   std::vector<std::uint32_t> face_uvs;
 
-  std::string source;  ///< Path or name for messages; may be empty.
+  std::size_t broken_uvs = 0;  ///< How many of `uvs` were no usable numbers and are 0 here.
+
+  std::vector<std::uint32_t> face_depths;  ///< What is painted on each face, or empty; not checked.
+  FaceNaming names;                        ///< Names of all faces, layer by layer, or none.
+
+  std::vector<std::string> unused_data;  ///< For ImportReport::unused_data.
+  std::string source;                    ///< Path or name for messages; may be empty.
 
   [[nodiscard]] std::size_t face_count() const noexcept { return face_offsets.size() - 1; }
   [[nodiscard]] std::span<const std::uint32_t> face(std::size_t f) const noexcept {
