@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/user_folders.h"
-#include "limn/atomic_file.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn::app {
 namespace {

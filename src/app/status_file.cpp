@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session.h"
-#include "limn/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/mesh/refined_mesh.h"
 #include "ui/scheme_text.h"
 

@@ -16,10 +16,10 @@
 #include "field_reader.h"
 #include "json_lists.h"
 #include "json_writer.h"
-#include "limn/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/subdivision/schemes/uniform.h"
 #include "project_mesh.h"
-#include "regular_file.h"
+#include "files/regular_file.h"
 #include "view_json.h"
 
 namespace limn {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "limn/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/contract.h"
 
 namespace limn {

@@ -12,7 +12,7 @@
 
 #include "mesh/import_limits.h"
 #include "mesh/printable.h"
-#include "regular_file.h"
+#include "files/regular_file.h"
 
 namespace limn {
 namespace {

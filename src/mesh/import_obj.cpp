@@ -14,7 +14,7 @@
 #include "mesh/counted.h"
 #include "mesh/import_limits.h"
 #include "mesh/obj_statements.h"
-#include "regular_file.h"
+#include "files/regular_file.h"
 
 namespace limn {
 namespace {

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "limn/atomic_file.h"
+#include "limn/files/atomic_file.h"
 #include "limn/contract.h"
 
 namespace limn::render {

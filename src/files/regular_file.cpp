@@ -1,6 +1,6 @@
 // Opened without blocking, so that a pipe nobody writes to cannot hold us up, and then asked what
 // it is: the answer is about what was opened, whatever happens to the name meanwhile.
-#include "regular_file.h"
+#include "files/regular_file.h"
 
 #include <cerrno>
 #include <system_error>
@@ -12,24 +12,10 @@
 
 #include <fmt/format.h>
 
+#include "files/descriptor.h"
+
 namespace limn {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int value) noexcept : value_(value) {}
-  ~Descriptor() {
-    if (value_ >= 0) {
-      ::close(value_);
-    }
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const noexcept { return value_; }
-
- private:
-  int value_;
-};
 
 tl::unexpected<Error> refused(const std::filesystem::path& path, std::string message) {
   return fail(ErrorKind::kBadInput, std::move(message), path.string());
@@ -52,7 +38,7 @@ std::string too_large(std::size_t bytes, std::size_t most_bytes) {
 Result<std::string> read_regular_file(const std::filesystem::path& path, std::size_t most_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
+  if (!file.is_open() || ::fstat(file.get(), &status) != 0) {
     return cannot_read(path, errno);
   }
   if (S_ISDIR(status.st_mode)) {

@@ -1,14 +1,13 @@
-// A temporary beside the target, written, flushed to disk, renamed over it; then the folder is
-// flushed too, so that the rename itself survives a power cut.
-#include "limn/atomic_file.h"
+// A temporary beside the target, written, flushed to disk, put in its place; then the folder is
+// flushed too, so that the new name itself survives a power cut. The old file is let go of only
+// after that.
+#include "limn/files/atomic_file.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -16,6 +15,9 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "files/descriptor.h"
+#include "files/temporary_file.h"
 
 namespace limn {
 namespace {
@@ -58,11 +60,12 @@ class DescriptorBuffer final : public std::streambuf {
   std::vector<char> buffer_;
 };
 
+constexpr std::string_view kIsAsBefore = "The file on disk is as it was.";
+
 tl::unexpected<Error> system_failure(const std::filesystem::path& path, std::string_view what,
-                                     int error) {
+                                     int error, std::string_view state = kIsAsBefore) {
   return fail(ErrorKind::kFailed,
-              fmt::format("{}: {}. The file on disk is as it was.", what,
-                          std::generic_category().message(error)),
+              fmt::format("{}: {}. {}", what, std::generic_category().message(error), state),
               path.string());
 }
 
@@ -81,61 +84,28 @@ std::filesystem::path follow_links(std::filesystem::path path) {
   return path;
 }
 
-/// A new file with a name of its own, removed again unless it was moved to its final name.
-class TemporaryFile {
- public:
-  /// Made with the rights that the umask allows.
-  explicit TemporaryFile(const std::filesystem::path& folder) {
-    static std::atomic<unsigned> count{0};
-    constexpr int most_tries = 100;  // Names left over from a process that crashed.
-    for (int i = 0; i < most_tries && descriptor_ < 0; ++i) {
-      path_ = folder / fmt::format(".limn-{}-{}.tmp", ::getpid(), count++);
-      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      error_ = errno;
-      if (descriptor_ < 0 && error_ != EEXIST) {
-        break;
-      }
-    }
+/// Gives a new file the old one's rights, and its owner and group where this process may. First
+/// those, because changing them takes rights away.
+bool keep_rights(int descriptor, const struct stat& before) {
+  struct stat now {};
+  if (::fstat(descriptor, &now) != 0) {
+    return false;
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (descriptor_ >= 0) {
-      ::close(descriptor_);
-    }
-    if (is_made() && !is_moved_) {
-      ::unlink(path_.c_str());
-    }
+  if ((now.st_uid != before.st_uid || now.st_gid != before.st_gid) &&
+      ::fchown(descriptor, before.st_uid, before.st_gid) != 0 && errno != EPERM) {
+    return false;
   }
+  return ::fchmod(descriptor, before.st_mode & 07777U) == 0;
+}
 
-  [[nodiscard]] bool is_made() const noexcept { return descriptor_ >= 0 || is_closed_; }
-  [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
-  /// The number of the error that kept it from being made.
-  [[nodiscard]] int error() const noexcept { return error_; }
-
-  [[nodiscard]] bool close() {
-    is_closed_ = true;
-    return ::close(std::exchange(descriptor_, -1)) == 0;
+/// Flushes the names in a folder to disk; false with errno set. A folder that may not be read, or
+/// on a file system that cannot flush folders, has nothing to say about it.
+bool flush_folder(const std::filesystem::path& folder) {
+  const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!descriptor.is_open()) {
+    return errno == EACCES;
   }
-  [[nodiscard]] bool move_to(const std::filesystem::path& target) {
-    is_moved_ = ::rename(path_.c_str(), target.c_str()) == 0;
-    return is_moved_;
-  }
-
- private:
-  std::filesystem::path path_;
-  int descriptor_ = -1;
-  int error_ = 0;
-  bool is_closed_ = false;
-  bool is_moved_ = false;
-};
-
-void flush_folder(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0) {
-    ::fsync(descriptor);  // Best effort: some file systems refuse to sync a folder.
-    ::close(descriptor);
-  }
+  return ::fsync(descriptor.get()) == 0 || errno == EINVAL || errno == EOPNOTSUPP;
 }
 
 }  // namespace
@@ -148,9 +118,13 @@ Result<void> write_file_atomically(const std::filesystem::path& path,
 
   struct stat before {};
   const bool is_there = ::stat(target.c_str(), &before) == 0;
+  if (!is_there && errno != ENOENT) {
+    return system_failure(path, "cannot write in this folder", errno);
+  }
   if (is_there && !S_ISREG(before.st_mode)) {
     return fail(ErrorKind::kFailed, "is not a regular file; choose another name", path.string());
   }
+  sweep_temporaries(folder);
   TemporaryFile temporary(folder);
   if (!temporary.is_made()) {
     return system_failure(path, "cannot write in this folder", temporary.error());
@@ -163,8 +137,8 @@ Result<void> write_file_atomically(const std::filesystem::path& path,
   if (buffer.error() != 0 || !out) {
     return system_failure(path, "cannot write", buffer.error() != 0 ? buffer.error() : EIO);
   }
-  if (is_there) {
-    ::fchmod(temporary.descriptor(), before.st_mode & 07777U);
+  if (is_there && !keep_rights(temporary.descriptor(), before)) {
+    return system_failure(path, "cannot keep the file's rights", errno);
   }
   if (::fsync(temporary.descriptor()) != 0) {
     return system_failure(path, "cannot flush to disk", errno);
@@ -172,10 +146,16 @@ Result<void> write_file_atomically(const std::filesystem::path& path,
   if (!temporary.close()) {
     return system_failure(path, "cannot finish writing", errno);
   }
-  if (!temporary.move_to(target)) {
+  if (!temporary.replace(target)) {
     return system_failure(path, "cannot replace the file", errno);
   }
-  flush_folder(folder);
+  if (!flush_folder(folder)) {
+    const int error = errno;
+    return system_failure(path, "cannot flush the folder to disk", error,
+                          temporary.take_back(target)
+                              ? kIsAsBefore
+                              : "The new file is in its place, but might not outlast a power cut.");
+  }
   return {};
 }
 
