@@ -222,7 +222,6 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup, const BuildSett
                           with_positions(detail::assemble_halfedges(faces.arrays(), edges), soup,
                                          fans.vertex_sources),
                           std::move(attributes)),
-                      {},
                       std::move(report)};
 }
 

@@ -160,7 +160,7 @@ TEST(ImportCreases, TagsThatFitNothingAreReported) {
   EXPECT_THAT(imported.mesh->creases().vertex_sharpness, IsEmpty());
   EXPECT_TRUE(imported.report.is_mended());
   EXPECT_THAT(imported.report.sentences(),
-              ElementsAre("1 vertex was in no face and dropped.",
+              ElementsAre("1 vertex is in no face; it is kept aside and written back.",
                           "5 crease tags were left out: they name no edge of the mesh.",
                           "3 corner tags were left out: they name no vertex of the mesh.",
                           "2 values of sharpness were negative and became 0."));
@@ -261,7 +261,7 @@ TEST(ImportUvs, CornersWithoutAPointShareOne) {
   // Where no corner has one there is no texture.
   const ImportedMesh none = import_text(vertices + "f 1/1 2/2 5/3 4/4\n");
   EXPECT_TRUE(none.mesh->texture().empty());
-  EXPECT_THAT(none.report.sentences(), ElementsAre("2 vertices were in no face and dropped."));
+  EXPECT_THAT(none.report.sentences(), ElementsAre("2 vertices are in no face; they are kept aside and written back."));
 }
 
 TEST(ImportUvs, BadNumbers) {

@@ -235,10 +235,11 @@ TEST(ImportObj, MendsWithAReport) {
   EXPECT_EQ(imported.mesh->positions()[4], glm::dvec3(2.0, 1.0, 0.0));
   EXPECT_EQ(imported.mesh->positions()[6], imported.mesh->positions()[2]);
   EXPECT_THAT(imported.report.sentences(),
-              ElementsAre("1 face was turned over to agree with the neighbours.",
-                          "1 vertex was added where parts of the surface met in a single point.",
-                          "1 vertex was in no face and dropped.",
-                          "1 corner of a face repeated the one before and was merged with it."));
+              ElementsAre("1 corner of a face repeated the one before and was merged with it.",
+                          "1 face was turned over to agree with the neighbours.",
+                          "1 vertex was added where parts of the surface met in a single point or "
+                          "edge.",
+                          "1 vertex is in no face; it is kept aside and written back."));
 }
 
 TEST(ImportObj, RefusesWhatIsNoMesh) {

@@ -14,8 +14,8 @@ namespace limn {
 /// A control mesh, and what was mended to make it one.
 struct ImportedMesh {
   std::shared_ptr<const ControlMesh> mesh;
-  std::vector<std::uint8_t> depths;  ///< What is painted on each face; empty: nothing is.
   ImportReport report;
+  std::vector<std::uint32_t> depths{};  ///< What the file has painted on each face; empty: nothing.
 };
 
 struct BuildSettings {
