@@ -1,6 +1,7 @@
 // A point is a stretch of corners around a control vertex with no seam between them; it is found
 // from any of its corners by joining neighbours across edges that are no seams.
 #include <algorithm>
+#include <span>
 
 #include "limn/contract.h"
 #include "limn/mesh/texture_coordinates.h"
