@@ -215,6 +215,12 @@ std::unique_ptr<Command> fit_command(const Document& document, Fitting fitting) 
       fitting == Fitting::kTriangulate ? "triangulate" : "one Catmull-Clark step");
 }
 
+std::unique_ptr<Command> reattach_command(PaintingTransfer transfer) {
+  LIMN_EXPECTS(transfer.mesh != nullptr);
+  return std::make_unique<ReplaceCommand>(
+      ControlState{std::move(transfer.mesh), std::move(transfer.depths), Stage{}}, "replace mesh");
+}
+
 std::unique_ptr<Command> revert_command() {
   return std::make_unique<ReplaceCommand>(ControlState{}, "revert to the opened mesh");
 }

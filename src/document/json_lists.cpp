@@ -22,10 +22,10 @@ constexpr std::size_t kDeepestNesting = 32;
 constexpr std::size_t kMostFields = 256;
 constexpr std::size_t kLongestQuote = 120;
 
-constexpr std::array<std::string_view, 17> kRootKeys{
+constexpr std::array<std::string_view, 18> kRootKeys{
     "format", "version", "name",        "mesh_path",    "settings", "stage",
     "view",   "depths",  "mesh",        "opened_mesh",  "target",   "distance",
-    "yaw",    "pitch",   "fov_degrees", "orthographic", "scheme"};
+    "yaw",    "pitch",   "fov_degrees", "orthographic", "scheme",   "checksum"};
 
 std::string shortened(std::string text) {
   if (text.size() > kLongestQuote) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <ostream>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "checksum.h"
 
 namespace limn {
 
@@ -20,6 +23,11 @@ class JsonWriter {
     if (buffer_.size() > kPiece) {
       flush();
     }
+  }
+  /// Of all that was added.
+  [[nodiscard]] std::uint64_t checksum() {
+    flush();
+    return checksum_.value();
   }
   /// A list of what `text_of` makes of every item.
   template <class Range>
@@ -38,11 +46,13 @@ class JsonWriter {
   static constexpr std::size_t kPiece = std::size_t{1} << 16U;
 
   void flush() {
+    checksum_.add({buffer_.data(), buffer_.size()});
     out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     buffer_.clear();
   }
 
   std::ostream& out_;
+  JsonChecksum checksum_;
   fmt::basic_memory_buffer<char, 2 * kPiece> buffer_;
 };
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "limn/files/atomic_file.h"
-#include "limn/document/project_file.h"
 #include "files/regular_file.h"
+#include "limn/document/project_file.h"
+#include "limn/files/atomic_file.h"
 #include "view_json.h"
 
 namespace limn {

@@ -32,7 +32,7 @@ TEST_F(ProjectAttributes, AttributesComeBackBitForBit) {
   shapes.push_back({"random", test::with_random_charts(*creased, 3, random)});
   for (const auto& [name, mesh] : shapes) {
     SCOPED_TRACE(name);
-    Document document = make_document({mesh, {}}, name);
+    Document document = make_document({mesh, {}, {}}, name);
     MeshAttributes smooth = mesh->attributes();
     smooth.corners = CornerRule::kSmooth;
     smooth.creases = {};
@@ -84,7 +84,7 @@ TEST_F(ProjectAttributes, TheSavedBoundaryRuleWinsOverTheMeshs) {
   MeshAttributes attributes;
   attributes.corners = CornerRule::kSmooth;
   const auto mesh = std::make_shared<const ControlMesh>(test::grid(2)->with_attributes(attributes));
-  Document document = make_document({mesh, {}}, "grid");
+  Document document = make_document({mesh, {}, {}}, "grid");
   EXPECT_EQ(document.settings.corners, CornerRule::kSmooth);
   document.settings.corners = CornerRule::kSharp;
   ASSERT_TRUE(save_project(path_, document, std::nullopt));

@@ -18,13 +18,16 @@ namespace limn::test {
 /// Fails the test where anything that a project holds differs, to the last bit.
 void expect_same_document(const Document& a, const Document& b);
 
+/// A project's text as older programs wrote it.
+[[nodiscard]] std::string without_checksum(std::string text);
+
 /// A project file in a folder of its own.
 class ProjectFixture : public ::testing::Test {
  protected:
   /// What loading this text complains about, as a person would read it.
   std::string complaint(std::string_view text);
 
-  /// A painted cube as text.
+  /// A painted cube as text, without a checksum: any change of it is judged for itself.
   std::string cube_text();
 
   /// The cube's text with one piece of it replaced, and what loading it complains about.

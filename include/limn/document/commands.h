@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limn/document/command.h"
+#include "limn/document/painting_transfer.h"
 #include "limn/error.h"
 #include "limn/painting/crease_rule.h"
 #include "limn/painting/depth_change.h"
@@ -55,6 +56,9 @@ namespace limn {
 /// The control mesh made to fit a scheme (`make_fit`), at stage 0. What becomes of a face keeps its
 /// depth, or one level less where the face was subdivided.
 [[nodiscard]] std::unique_ptr<Command> fit_command(const Document& document, Fitting fitting);
+
+/// Takes up a painting that was carried over to another control mesh, at stage 0.
+[[nodiscard]] std::unique_ptr<Command> reattach_command(PaintingTransfer transfer);
 
 /// Back to the mesh as it was opened, unpainted and at stage 0.
 [[nodiscard]] std::unique_ptr<Command> revert_command();
