@@ -26,6 +26,10 @@ Document make_document(ImportedMesh mesh, std::string name, std::filesystem::pat
   LIMN_EXPECTS(mesh.mesh != nullptr);
   Document document;
   document.depths = FaceDepths(mesh.mesh->face_count());
+  LIMN_EXPECTS(mesh.depths.empty() || mesh.depths.size() == mesh.mesh->face_count());
+  for (std::size_t f = 0; f < mesh.depths.size(); ++f) {
+    document.depths.set(f, static_cast<int>(mesh.depths[f]));
+  }
   document.control = mesh.mesh;
   document.settings.corners = mesh.mesh->attributes().corners.value_or(document.settings.corners);
   document.opened = std::move(mesh.mesh);

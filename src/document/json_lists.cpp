@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/mesh/flat_topology.h"
 #include "limn/subdivision/settings.h"
 
 namespace limn {
@@ -55,32 +58,45 @@ std::string reason_of(const nlohmann::detail::exception& exception) {
 /// One of a mesh's long lists: where it stands, where it goes, and what to say of misfits.
 struct ListKind {
   std::string_view key;
-  NumberRows MeshLists::*numbers;  ///< One of the two is set.
-  IndexRows MeshLists::*indices;
-  std::size_t row_length;    ///< Of numbers; indices are three or more.
-  std::string_view row;      ///< What every element must be,
-  std::string_view element;  ///< what every element of that must be,
-  std::string_view entries;  ///< what those are called, and what is wrong with another
-  std::string_view length;   ///< number of them.
+  std::variant<NumberRows MeshLists::*, IndexRows MeshLists::*, TextList MeshLists::*,
+               ChoiceList MeshLists::*>
+      list;
+  std::string_view element;    ///< What every element must be, of a row where there are rows.
+  std::string_view row{};      ///< What every row must be,
+  std::string_view entries{};  ///< what the elements of one are called, and what is wrong with
+  std::string_view length{};   ///< another number of them.
+  std::size_t row_length = 0;  ///< Of numbers; indices are three or more.
+
+  [[nodiscard]] bool has_rows() const noexcept { return !row.empty(); }
 };
 
-constexpr std::array<ListKind, 6> kListKinds{{
-    {"positions", &MeshLists::positions, nullptr, 3, "must be a list of three numbers.",
-     "must be a number.", "coordinates", "a position has three."},
-    {"faces", nullptr, &MeshLists::faces, 0, "must be a list of vertex numbers.",
-     "must be the number of a vertex: a whole number from 0 on.", "vertices",
-     "a face has three or more."},
-    {"uvs", &MeshLists::uvs, nullptr, 2, "must be a list of two numbers.", "must be a number.",
-     "coordinates", "a texture point has two."},
-    {"face_uvs", nullptr, &MeshLists::face_uvs, 0, "must be a list of texture point numbers.",
-     "must be the number of a texture point: a whole number from 0 on.", "texture points",
-     "a face has three or more."},
-    {"creases", &MeshLists::creases, nullptr, 3,
-     "must be a list of two vertex numbers and a sharpness.", "must be a number.", "entries",
-     "a crease has three."},
-    {"corners", &MeshLists::corners, nullptr, 2,
-     "must be a list of a vertex number and a sharpness.", "must be a number.", "entries",
-     "a corner has two."},
+constexpr std::string_view kName = "must be a name.";
+constexpr std::string_view kNumber = "must be a number.";
+constexpr std::string_view kChoice = "must be the number of a name, or -1 for none.";
+
+constexpr std::array<ListKind, 14> kListKinds{{
+    {"positions", &MeshLists::positions, kNumber, "must be a list of three numbers.", "coordinates",
+     "a position has three.", 3},
+    {"faces", &MeshLists::faces, "must be the number of a vertex: a whole number from 0 on.",
+     "must be a list of vertex numbers.", "vertices", "a face has three or more."},
+    {"uvs", &MeshLists::uvs, kNumber, "must be a list of two numbers.", "coordinates",
+     "a texture point has two.", 2},
+    {"face_uvs", &MeshLists::face_uvs,
+     "must be the number of a texture point: a whole number from 0 on.",
+     "must be a list of texture point numbers.", "texture points", "a face has three or more."},
+    {"creases", &MeshLists::creases, kNumber,
+     "must be a list of two vertex numbers and a sharpness.", "entries", "a crease has three.", 3},
+    {"corners", &MeshLists::corners, kNumber, "must be a list of a vertex number and a sharpness.",
+     "entries", "a corner has two.", 2},
+    {"loose_vertices", &MeshLists::loose_vertices, kNumber, "must be a list of three numbers.",
+     "coordinates", "a position has three.", 3},
+    {"object_names", &MeshLists::object_names, kName},
+    {"face_objects", &MeshLists::face_objects, kChoice},
+    {"group_names", &MeshLists::group_names, kName},
+    {"face_groups", &MeshLists::face_groups, kChoice},
+    {"material_names", &MeshLists::material_names, kName},
+    {"face_materials", &MeshLists::face_materials, kChoice},
+    {"material_libraries", &MeshLists::material_libraries, kName},
 }};
 
 class Reader final : public nlohmann::json_sax<json> {
@@ -200,23 +216,53 @@ class Reader final : public nlohmann::json_sax<json> {
   void keep_element(const T& v) {
     if (kind_ == nullptr) {
       keep_depth(v);
-    } else if (levels_.size() != list_level_ + 1) {
-      misfit(kind_->row);
-    } else if (kind_->numbers != nullptr) {
-      if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
-        (lists_->*kind_->numbers).numbers.push_back(static_cast<double>(v));
-      } else {
-        misfit(kind_->element);
-      }
-    } else {
-      if constexpr (std::is_same_v<T, std::uint64_t>) {
-        if (v < 0xFFFFFFFFU) {
-          (lists_->*kind_->indices).indices.push_back(static_cast<std::uint32_t>(v));
-          return;
-        }
-      }
+    } else if (levels_.size() != list_level_ + (kind_->has_rows() ? 1 : 0)) {
+      misfit(kind_->has_rows() ? kind_->row : kind_->element);
+    } else if (!std::visit([&](auto list) { return keep_in(lists_->*list, v); }, kind_->list)) {
       misfit(kind_->element);
     }
+  }
+
+  // Each is false where the value is none for the list.
+  template <class T>
+  static bool keep_in(NumberRows& rows, const T& v) {
+    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+      rows.numbers.push_back(static_cast<double>(v));
+      return true;
+    }
+    return false;
+  }
+  template <class T>
+  static bool keep_in(IndexRows& rows, const T& v) {
+    return keep_index(rows.indices, v);
+  }
+  template <class T>
+  static bool keep_in(ChoiceList& list, const T& v) {
+    if constexpr (std::is_same_v<T, std::int64_t>) {
+      if (v == -1) {
+        list.choices.push_back(kNone);
+        return true;
+      }
+    }
+    return keep_index(list.choices, v);
+  }
+  template <class T>
+  static bool keep_in(TextList& list, const T& v) {
+    if constexpr (std::is_same_v<T, std::string>) {
+      list.texts.push_back(bytes_of_json(v));
+      return true;
+    }
+    return false;
+  }
+  template <class T>
+  static bool keep_index(std::vector<std::uint32_t>& indices, const T& v) {
+    if constexpr (std::is_same_v<T, std::uint64_t>) {
+      if (v < kNone) {
+        indices.push_back(static_cast<std::uint32_t>(v));
+        return true;
+      }
+    }
+    return false;
   }
 
   template <class T>
@@ -261,7 +307,8 @@ class Reader final : public nlohmann::json_sax<json> {
       return false;
     }
     if (is_in_list_) {
-      const bool is_row = is_list && levels_.size() == list_level_ && kind_ != nullptr;
+      const bool is_row =
+          is_list && levels_.size() == list_level_ && kind_ != nullptr && kind_->has_rows();
       if (!is_row && !is_misfit_) {
         keep_element(JsonNull{});  // As wrong here as any other value, and for the same reason.
       }
@@ -278,9 +325,10 @@ class Reader final : public nlohmann::json_sax<json> {
   }
 
   void begin_list() {
-    bool& is_there = kind_ == nullptr            ? out_.has_depths
-                     : kind_->numbers != nullptr ? (lists_->*kind_->numbers).is_there
-                                                 : (lists_->*kind_->indices).is_there;
+    bool& is_there =
+        kind_ == nullptr
+            ? out_.has_depths
+            : std::visit([&](auto list) -> bool& { return (lists_->*list).is_there; }, kind_->list);
     if (is_there) {
       misfit("stands there twice.");
     }
@@ -293,7 +341,7 @@ class Reader final : public nlohmann::json_sax<json> {
     if (is_in_list_ && levels_.size() == list_level_) {
       is_in_list_ = false;
     }
-    if (is_in_list_ && levels_.size() == list_level_ + 1 && !is_misfit_) {
+    if (is_in_list_ && levels_.size() == list_level_ + 1 && !is_misfit_ && kind_->has_rows()) {
       end_row(levels_.back().begun);
     }
     levels_.pop_back();
@@ -303,11 +351,12 @@ class Reader final : public nlohmann::json_sax<json> {
   void end_row(std::size_t length) {
     Level row = std::move(levels_.back());
     levels_.pop_back();
-    if (kind_->numbers != nullptr ? length != kind_->row_length : length < 3) {
+    auto* const faces = std::get_if<IndexRows MeshLists::*>(&kind_->list);
+    if (faces != nullptr ? length < 3 : length != kind_->row_length) {
       misfit(fmt::format("has {} {}; {}", length, kind_->entries, kind_->length));
     }
-    if (kind_->indices != nullptr) {
-      IndexRows& rows = lists_->*kind_->indices;
+    if (faces != nullptr) {
+      IndexRows& rows = lists_->**faces;
       rows.offsets.push_back(static_cast<std::uint32_t>(rows.indices.size()));
     }
     levels_.push_back(std::move(row));

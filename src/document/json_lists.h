@@ -36,14 +36,35 @@ struct IndexRows {
   std::vector<std::uint32_t> indices;
 };
 
+/// A list of texts, of any bytes (`json_bytes`).
+struct TextList {
+  bool is_there = false;
+  std::vector<std::string> texts;
+};
+
+/// A list of indices, kNone where the file says -1. What they index is not checked.
+struct ChoiceList {
+  bool is_there = false;
+  std::vector<std::uint32_t> choices;
+};
+
 /// The long lists of a mesh, as flat as they are going to be used.
 struct MeshLists {
   NumberRows positions;  ///< Three a vertex.
   IndexRows faces;
-  NumberRows uvs;      ///< Two a texture point.
-  IndexRows face_uvs;  ///< A texture point for each corner of `faces`.
-  NumberRows creases;  ///< Two vertices and a sharpness.
-  NumberRows corners;  ///< A vertex and a sharpness.
+  NumberRows uvs;             ///< Two a texture point.
+  IndexRows face_uvs;         ///< A texture point for each corner of `faces`.
+  NumberRows creases;         ///< Two vertices and a sharpness.
+  NumberRows corners;         ///< A vertex and a sharpness.
+  NumberRows loose_vertices;  ///< Three each.
+  /// Names, and for each face one of them.
+  TextList object_names;
+  ChoiceList face_objects;
+  TextList group_names;
+  ChoiceList face_groups;
+  TextList material_names;
+  ChoiceList face_materials;
+  TextList material_libraries;
 };
 
 /// A project file's text, taken apart: the long lists apart from the rest, so that memory stays
@@ -68,5 +89,11 @@ struct ProjectText {
 /// `text` as a JSON string with its quotes. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_quoted(std::string_view text);
 [[nodiscard]] bool is_utf8(std::string_view text);
+
+/// Any bytes as a JSON string with its quotes: UTF-8 as it is, every byte that belongs to none as a
+/// character from U+F780 on (and so those characters themselves, byte by byte). `bytes_of_json`
+/// gives the bytes of such a string.
+[[nodiscard]] std::string json_bytes(std::string_view bytes);
+[[nodiscard]] std::string bytes_of_json(std::string_view text);
 
 }  // namespace limn

@@ -1,5 +1,6 @@
 #include "mesh_bytes.h"
 
+#include <string>
 #include <vector>
 
 namespace limn {
@@ -17,6 +18,22 @@ std::size_t property_bytes(Iterator first, Iterator last) {
     if (*first != nullptr) {
       bytes += (*first)->size_of();
     }
+  }
+  return bytes;
+}
+
+std::size_t text_bytes(const std::vector<std::string>& texts) {
+  std::size_t bytes = array_bytes(texts);
+  for (const std::string& text : texts) {
+    bytes += text.capacity();
+  }
+  return bytes;
+}
+
+std::size_t name_bytes(const FaceNaming& names) {
+  std::size_t bytes = text_bytes(names.material_libraries);
+  for (const FaceNames* layer : {&names.objects, &names.groups, &names.materials}) {
+    bytes += text_bytes(layer->names) + array_bytes(layer->of_faces);
   }
   return bytes;
 }
@@ -44,7 +61,8 @@ std::size_t topology_bytes(const FlatTopology& topology) {
 std::size_t attribute_bytes(const ControlMesh& mesh) {
   std::size_t bytes =
       array_bytes(mesh.creases().edge_sharpness) + array_bytes(mesh.creases().vertex_sharpness) +
-      array_bytes(mesh.texture().values) + array_bytes(mesh.texture().corner_values);
+      array_bytes(mesh.texture().values) + array_bytes(mesh.texture().corner_values) +
+      name_bytes(mesh.attributes().names) + array_bytes(mesh.attributes().loose_vertices);
   if (const TextureSurface* texture = mesh.texture_surface(); texture != nullptr) {
     bytes += topology_bytes(texture->topology) + array_bytes(texture->points) +
              array_bytes(texture->vertices) + array_bytes(texture->edges);

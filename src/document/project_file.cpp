@@ -18,9 +18,11 @@ namespace {
 constexpr std::size_t kMostProjectBytes = std::size_t{1} << 30U;
 
 bool is_finite(const ControlMesh& mesh) {
-  return std::all_of(mesh.positions().begin(), mesh.positions().end(), [](const glm::dvec3& p) {
+  const auto is_finite_point = [](const glm::dvec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  });
+  };
+  return std::ranges::all_of(mesh.positions(), is_finite_point) &&
+         std::ranges::all_of(mesh.attributes().loose_vertices, is_finite_point);
 }
 
 }  // namespace

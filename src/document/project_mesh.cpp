@@ -13,6 +13,7 @@
 
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/polygon_soup.h"
+#include "project_face_names.h"
 #include "view_json.h"
 
 namespace limn {
@@ -152,13 +153,18 @@ void check_tags(FieldReader& fields, const std::string& path, const NumberRows& 
   }
 }
 
+std::vector<glm::dvec3> points_of(const std::vector<double>& xyz) {
+  std::vector<glm::dvec3> points;
+  points.reserve(xyz.size() / 3);
+  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3) {
+    points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+  }
+  return points;
+}
+
 PolygonSoup soup_of(MeshLists lists, const MeshRules& rules) {
   PolygonSoup soup;
-  const std::vector<double>& xyz = lists.positions.numbers;
-  soup.positions.reserve(xyz.size() / 3);
-  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3) {
-    soup.positions.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
-  }
+  soup.positions = points_of(lists.positions.numbers);
   soup.face_offsets = std::move(lists.faces.offsets);
   soup.face_vertices = std::move(lists.faces.indices);
 
@@ -186,17 +192,29 @@ PolygonSoup soup_of(MeshLists lists, const MeshRules& rules) {
 
 }  // namespace
 
+bool has_names(const ControlMesh& mesh) {
+  return !mesh.attributes().names.empty() || !mesh.attributes().loose_vertices.empty();
+}
+
 bool has_attributes(const ControlMesh& mesh) {
   return mesh.creases() != Creases{} || mesh.attributes().corners.has_value() ||
          !mesh.texture().empty();
 }
+
+namespace {
+
+void write_point(JsonWriter& writer, const glm::dvec3& p) {
+  writer.add(fmt::format("[{}, {}, {}]", json_number(p.x), json_number(p.y), json_number(p.z)));
+}
+
+}  // namespace
 
 void write_project_mesh(JsonWriter& writer, const ControlMesh& mesh) {
   writer.add("{\n    \"positions\": [");
   std::string_view before = "\n      ";
   for (const glm::dvec3& p : mesh.positions()) {
     writer.add(before);
-    writer.add(fmt::format("[{}, {}, {}]", json_number(p.x), json_number(p.y), json_number(p.z)));
+    write_point(writer, p);
     before = ",\n      ";
   }
   writer.add("\n    ],\n    \"faces\": [");
@@ -209,6 +227,14 @@ void write_project_mesh(JsonWriter& writer, const ControlMesh& mesh) {
   writer.add("\n    ]");
   write_texture(writer, mesh);
   write_creases(writer, mesh);
+  {
+    RowList loose(writer, "loose_vertices");
+    for (const glm::dvec3& p : mesh.attributes().loose_vertices) {
+      loose.begin_row();
+      write_point(writer, p);
+    }
+  }
+  write_face_names(writer, mesh.attributes().names);
   if (mesh.creases().method != CreasingMethod::kUniform) {
     writer.add(fmt::format(",\n    \"creasing\": \"{}\"",
                            name_of(mesh.creases().method, kCreasingMethods)));
@@ -229,7 +255,10 @@ MeshRules read_mesh_rules(FieldReader& fields, const std::string& path, const Me
   check_texture(fields, path, lists);
   check_tags(fields, path + "/creases", lists.creases, 2, vertices);
   check_tags(fields, path + "/corners", lists.corners, 1, vertices);
-  for (const char* list : {"/creases", "/corners", "/uvs", "/face_uvs"}) {
+  check_face_names(fields, path, lists);
+  for (const char* list : {"/creases", "/corners", "/uvs", "/face_uvs", "/loose_vertices",
+                           "/object_names", "/face_objects", "/group_names", "/face_groups",
+                           "/material_names", "/face_materials", "/material_libraries"}) {
     if (fields.find(path + list) != nullptr) {
       fields.complain(path + list, "must be a list.");
     }
@@ -246,6 +275,8 @@ MeshRules read_mesh_rules(FieldReader& fields, const std::string& path, const Me
 
 Result<ImportedMesh> build_project_mesh(const std::string& path, MeshLists lists,
                                         const MeshRules& rules, const std::string& source) {
+  FaceNaming names = face_names_of(lists);
+  std::vector<glm::dvec3> loose_vertices = points_of(lists.loose_vertices.numbers);
   PolygonSoup soup = soup_of(std::move(lists), rules);
   soup.source = source;
   Result<ImportedMesh> mesh = build_control_mesh(soup);
@@ -264,6 +295,13 @@ Result<ImportedMesh> build_project_mesh(const std::string& path, MeshLists lists
     return fail(ErrorKind::kBadInput, std::move(message), source);
   }
   LIMN_EXPECTS(mesh->mesh->face_count() == soup.face_count());
+  if (!names.empty() || !loose_vertices.empty()) {
+    MeshAttributes attributes = mesh->mesh->attributes();
+    attributes.names = std::move(names);
+    attributes.loose_vertices = std::move(loose_vertices);
+    mesh->mesh =
+        std::make_shared<const ControlMesh>(mesh->mesh->with_attributes(std::move(attributes)));
+  }
   return mesh;
 }
 

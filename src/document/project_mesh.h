@@ -15,6 +15,8 @@ namespace limn {
 
 /// Whether a mesh has anything that the first version of the format has no words for.
 [[nodiscard]] bool has_attributes(const ControlMesh& mesh);
+/// Whether it has what the fourth brought: names of faces, vertices in no face.
+[[nodiscard]] bool has_names(const ControlMesh& mesh);
 
 /// Writes the mesh as a JSON object, a position and a face a line.
 void write_project_mesh(JsonWriter& writer, const ControlMesh& mesh);

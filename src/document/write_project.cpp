@@ -26,6 +26,9 @@ bool is_plain(const Document& document) {
 }
 
 std::int64_t version_of(const Document& document) {
+  if (has_names(*document.control) || (document.opened != nullptr && has_names(*document.opened))) {
+    return 4;
+  }
   if (document.scheme || document.settings.scheme != RefinementScheme::kCatmullClark) {
     return 3;
   }

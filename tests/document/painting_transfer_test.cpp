@@ -197,7 +197,7 @@ TEST(PaintingTransfer, DoesNotTakeNeighboursForOneAnotherInATinyMesh) {
 }
 
 TEST(PaintingTransfer, IsOneCommand) {
-  Document document = make_document({test::cube(), {}, {}}, "cube");
+  Document document = make_document({test::cube(), {}}, "cube");
   document.depths.set(2, 3);
   test::Random random(1);
   const Shuffled other = shuffled(*test::cube(), Rounding::kNone, random);

@@ -32,7 +32,7 @@ TEST_F(ProjectAttributes, AttributesComeBackBitForBit) {
   shapes.push_back({"random", test::with_random_charts(*creased, 3, random)});
   for (const auto& [name, mesh] : shapes) {
     SCOPED_TRACE(name);
-    Document document = make_document({mesh, {}, {}}, name);
+    Document document = make_document({mesh, {}}, name);
     MeshAttributes smooth = mesh->attributes();
     smooth.corners = CornerRule::kSmooth;
     smooth.creases = {};
@@ -84,11 +84,59 @@ TEST_F(ProjectAttributes, TheSavedBoundaryRuleWinsOverTheMeshs) {
   MeshAttributes attributes;
   attributes.corners = CornerRule::kSmooth;
   const auto mesh = std::make_shared<const ControlMesh>(test::grid(2)->with_attributes(attributes));
-  Document document = make_document({mesh, {}, {}}, "grid");
+  Document document = make_document({mesh, {}}, "grid");
   EXPECT_EQ(document.settings.corners, CornerRule::kSmooth);
   document.settings.corners = CornerRule::kSharp;
   ASSERT_TRUE(save_project(path_, document, std::nullopt));
   EXPECT_EQ(load_project(path_).value().document.settings.corners, CornerRule::kSharp);
+}
+
+TEST_F(ProjectAttributes, NamesAndLooseVerticesComeBackByteForByte) {
+  MeshAttributes attributes;
+  attributes.names.objects = {{"a \"b\"", "", "B\xC3\xA4r"}, {0, 1, 2, kNone, 0, 0}};
+  attributes.names.groups = {
+      {"caf\xE9", "\xEF\x9E\x80\xEF\x9F\xBF", std::string("\0\n", 2), "\xF0\x9F"},
+      {0, 1, 2, 3, kNone, kNone}};
+  attributes.names.materials = {{"unused"}, std::vector<std::uint32_t>(6, kNone)};
+  attributes.names.material_libraries = {"c d.mtl", "\x80\xFF"};
+  attributes.loose_vertices = {{1, 2, 3}, {-0.0, 1e-300, 1.0 / 3.0}};
+  const auto mesh = std::make_shared<const ControlMesh>(test::cube()->with_attributes(attributes));
+  Document document = make_document({mesh, {}}, "cube");
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  EXPECT_THAT(read_file(path_), HasSubstr("\"version\": 4,"));
+  const Result<Project> loaded = load_project(path_);
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  expect_same_document(document, loaded->document);
+  // Only in the mesh that Revert goes back to.
+  replace_control_command(test::grid(2), "apply")->apply(document);
+  ASSERT_TRUE(save_project(path_, document, std::nullopt));
+  EXPECT_THAT(read_file(path_), HasSubstr("\"version\": 4,"));
+  expect_same_document(document, load_project(path_).value().document);
+}
+
+TEST_F(ProjectAttributes, NamesTheCulpritAmongTheNames) {
+  const auto with = [&](std::string_view members) {
+    return complaint_with("\"mesh\": {", "\"mesh\": {" + std::string(members) + ", ");
+  };
+  const std::string names = "\"group_names\": [\"a\", \"b\"]";
+  EXPECT_EQ(with(names + ", \"face_groups\": [0, 1, -1, 0, 0, 1]"), "was loaded");
+  EXPECT_THAT(with(names), StartsWith("/mesh/face_groups: is missing"));
+  EXPECT_THAT(with("\"face_groups\": [-1, -1, -1, -1, -1, -1]"),
+              StartsWith("/mesh/group_names: is missing"));
+  EXPECT_THAT(with(names + ", \"face_groups\": [0, 1]"),
+              StartsWith("/mesh/face_groups: has 2 entries for 6 faces"));
+  EXPECT_THAT(with(names + ", \"face_groups\": [0, 1, 2, 0, 0, 0]"),
+              StartsWith("/mesh/face_groups/2: there is no name 2"));
+  EXPECT_THAT(with(names + ", \"face_groups\": [0, 1, -2, 0, 0, 0]"),
+              StartsWith("/mesh/face_groups/2: must be the number of a name"));
+  EXPECT_THAT(with(names + ", \"face_groups\": [0, [1], 0, 0, 0, 0]"),
+              StartsWith("/mesh/face_groups/1: "));
+  EXPECT_THAT(with("\"object_names\": [\"a\", 3]"), StartsWith("/mesh/object_names/1: must be a"));
+  EXPECT_THAT(with("\"object_names\": \"a\""), StartsWith("/mesh/object_names: must be a list"));
+  EXPECT_THAT(with("\"material_libraries\": [{\"a\": 1}]"),
+              StartsWith("/mesh/material_libraries/0: must be a name"));
+  EXPECT_THAT(with("\"loose_vertices\": [[1, 2]]"),
+              StartsWith("/mesh/loose_vertices/0: has 2 coordinates"));
 }
 
 TEST_F(ProjectAttributes, NamesTheCulpritInTheAttributes) {

@@ -33,6 +33,8 @@ void expect_same_mesh(const ControlMesh& a, const ControlMesh& b) {
   EXPECT_EQ(a.creases(), b.creases());
   EXPECT_EQ(a.texture(), b.texture());
   EXPECT_EQ(a.attributes().corners, b.attributes().corners);
+  EXPECT_EQ(a.attributes().names, b.attributes().names);
+  EXPECT_EQ(a.attributes().loose_vertices, b.attributes().loose_vertices);
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ struct Document {
 /// The uniform scheme that is shown, with the document's corner rule.
 [[nodiscard]] std::optional<SchemeSettings> shown_scheme(const Document& document) noexcept;
 
-/// A fresh, unpainted document, with the boundary rule that the mesh asks for. `mesh.mesh` must be
-/// there.
+/// A fresh document, with the boundary rule and the painting that the mesh comes with. `mesh.mesh`
+/// must be there.
 [[nodiscard]] Document make_document(ImportedMesh mesh, std::string name,
                                      std::filesystem::path mesh_path = {});
 
