@@ -3,7 +3,6 @@ find_package(OpenMesh REQUIRED)
 find_package(tl-expected REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
-find_package(tinyobjloader REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(glm REQUIRED)
 

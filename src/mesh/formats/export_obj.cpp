@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "limn/files/atomic_file.h"
 #include "limn/contract.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn {
 namespace {

@@ -1,11 +1,12 @@
 // A short list in the order of first appearance: files use a dozen kinds of statement at most, and
 // unknown ones are capped.
-#include "mesh/unused_data.h"
+#include "mesh/formats/unused_data.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "mesh/counted.h"
 #include "mesh/printable.h"
 
 namespace limn::detail {
@@ -21,11 +22,7 @@ constexpr Keyword Keywords[] = {
     {"vn", "normal", "normals"},
     {"vp", "parameter-space point", "parameter-space points"},
     {"vw", "skin weight", "skin weights"},
-    {"g", "group statement", "group statements"},
     {"s", "smoothing group statement", "smoothing group statements"},
-    {"o", "object name", "object names"},
-    {"usemtl", "material assignment", "material assignments"},
-    {"mtllib", "material library", "material libraries"},
     {"l", "line element", "line elements"},
     {"p", "point element", "point elements"},
     {"curv", "free-form curve", "free-form curves"},
@@ -57,61 +54,49 @@ constexpr Keyword Keywords[] = {
 
 }  // namespace
 
-void UnusedData::add(std::string_view one, std::string_view many) {
+void UnusedData::add(std::size_t count, std::string_view one, std::string_view many) {
+  if (count == 0) {
+    return;
+  }
   const auto found = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& entry) { return entry.one == one; });
   if (found != entries_.end()) {
-    ++found->count;
+    found->count += count;
   } else {
-    entries_.push_back({std::string(one), std::string(many), 1});
+    entries_.push_back({std::string(one), std::string(many), count});
   }
 }
 
-/// Names the first few kinds and sums up the rest: a file that is no OBJ has thousands.
-void UnusedData::add_unknown(std::string_view what, std::string_view name) {
+void UnusedData::add_named(std::size_t count, std::string_view name, std::string_view what) {
   constexpr std::size_t most_kinds = 8;
   const std::string one = fmt::format("\"{}\" {}", printable(name), what);
   const bool is_known = std::any_of(entries_.begin(), entries_.end(),
                                     [&](const Entry& entry) { return entry.one == one; });
-  if (!is_known && unknown_kinds_ == most_kinds) {
-    add("other unknown statement", "other unknown statements");
+  if (!is_known && named_kinds_ == most_kinds) {
+    add(count, fmt::format("other unknown {}", what));
     return;
   }
-  unknown_kinds_ += is_known ? 0 : 1;
-  add(one, one + "s");
-}
-
-void UnusedData::count(std::string_view keyword, std::string_view argument) {
-  const auto known = std::find_if(std::begin(Keywords), std::end(Keywords),
-                                  [&](const Keyword& k) { return k.keyword == keyword; });
-  if (known != std::end(Keywords)) {
-    add(known->one, known->many);
-  } else if (keyword == "t") {
-    add_unknown("tag", argument);
-  } else {
-    add_unknown("statement", keyword);
-  }
-}
-
-void UnusedData::count_weight() {
-  add("vertex weight", "vertex weights");
-}
-
-void UnusedData::count_colour() {
-  add("vertex colour", "vertex colours");
-}
-
-void UnusedData::count_uv_depth() {
-  add("third texture coordinate", "third texture coordinates");
+  named_kinds_ += is_known || count == 0 ? 0 : 1;
+  add(count, one);
 }
 
 std::vector<std::string> UnusedData::phrases() const {
   std::vector<std::string> result;
   result.reserve(entries_.size());
   for (const Entry& entry : entries_) {
-    result.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? entry.one : entry.many));
+    result.push_back(counted(entry.count, entry.one, entry.many));
   }
   return result;
+}
+
+void count_obj_statement(UnusedData& unused, std::string_view keyword) {
+  const auto known = std::find_if(std::begin(Keywords), std::end(Keywords),
+                                  [&](const Keyword& k) { return k.keyword == keyword; });
+  if (known != std::end(Keywords)) {
+    unused.add(1, known->one, known->many);
+  } else {
+    unused.add_named(1, keyword, "statement");
+  }
 }
 
 }  // namespace limn::detail

@@ -1,8 +1,7 @@
 // A tag says how many integers, numbers and strings follow its name. Only the names that are known
 // are read on, so that what other programs write in a form of their own does no harm.
-#include "mesh/obj_tags.h"
+#include "mesh/formats/obj_tags.h"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -13,35 +12,37 @@
 #include <fmt/format.h>
 
 #include "limn/mesh/control_mesh.h"
-#include "mesh/obj_words.h"
-#include "mesh/parse_number.h"
+#include "mesh/formats/parse_number.h"
+#include "mesh/formats/sharpness.h"
+#include "mesh/formats/words.h"
 
 namespace limn::detail {
 namespace {
 
 constexpr bool is_known(std::string_view name) {
   return name == "crease" || name == "corner" || name == "interpolateboundary" ||
-         name == "creasemethod";
+         name == "creasemethod" || name == "limn_depth";
 }
 
-struct Counts {
+struct TagCounts {
   std::size_t integers = 0;
   std::size_t numbers = 0;
   std::size_t strings = 0;
 };
 
 struct Tag {
-  std::string_view name;
   std::vector<std::int64_t> integers;
   std::vector<float> numbers;
   std::vector<std::string_view> strings;
 };
 
-TagReading refused(std::string message, std::string_view culprit = {}) {
-  return {false, std::move(message), culprit};
+constexpr TagReading Used{true, {}, {}, {}};
+
+TagReading refused(std::string message, std::uint32_t line = 0) {
+  return {false, std::move(message), line, {}};
 }
 
-std::optional<Counts> read_counts(std::string_view word) {
+std::optional<TagCounts> read_tag_counts(std::string_view word) {
   std::size_t counts[3];
   for (std::size_t part = 0; part < 3; ++part) {
     const std::size_t slash = word.find('/');
@@ -55,44 +56,36 @@ std::optional<Counts> read_counts(std::string_view word) {
     counts[part] = static_cast<std::size_t>(*count);
     word.remove_prefix(part == 2 ? word.size() : slash + 1);
   }
-  return Counts{counts[0], counts[1], counts[2]};
+  return TagCounts{counts[0], counts[1], counts[2]};
 }
 
-/// Finite: what a float cannot hold never wears off anyway.
 std::optional<float> read_sharpness(std::string_view word) {
   double value = 0.0;
-  if (!parse_number(word, value) || std::isnan(value)) {
-    return std::nullopt;
-  }
-  const double largest = std::numeric_limits<float>::max();
-  if (std::abs(value) > largest) {
-    return value > 0.0 ? kInfiniteSharpness : -1.0f;
-  }
-  return static_cast<float>(value);
+  return parse_number(word, value) ? to_sharpness(value) : std::nullopt;
 }
 
 /// Reads the words after the name into `tag`.
-TagReading read_words(std::string_view arguments, Tag& tag) {
-  const std::string_view first = take_word(arguments);
-  const std::optional<Counts> counts = read_counts(first);
+TagReading read_words(TextCursor& words, Tag& tag) {
+  const std::string_view first = words.next_word();
+  const std::optional<TagCounts> counts = read_tag_counts(first);
   if (!counts) {
     return refused(fmt::format("A tag says after its name how many integers, numbers and strings "
                                "follow, like 2/1/0; this one says {}.",
                                quoted(first)),
-                   first);
+                   words.line());
   }
   std::size_t found = 0;
-  for (std::string_view word = take_word(arguments); !word.empty(); word = take_word(arguments)) {
+  for (std::string_view word = words.next_word(); !word.empty(); word = words.next_word()) {
     if (found < counts->integers) {
       const std::optional<std::int64_t> integer = parse_index(word);
       if (!integer) {
-        return refused(fmt::format("{} is not an integer.", quoted(word)), word);
+        return refused(fmt::format("{} is not an integer.", quoted(word)), words.line());
       }
       tag.integers.push_back(*integer);
     } else if (found - counts->integers < counts->numbers) {
       const std::optional<float> number = read_sharpness(word);
       if (!number) {
-        return refused(fmt::format("{} is not a number.", quoted(word)), word);
+        return refused(fmt::format("{} is not a number.", quoted(word)), words.line());
       }
       tag.numbers.push_back(*number);
     } else {
@@ -108,7 +101,7 @@ TagReading read_words(std::string_view arguments, Tag& tag) {
                     counts->integers, counts->numbers, counts->strings, found,
                     found == 1 ? "word follows" : "words follow"));
   }
-  return {true, {}, {}};
+  return Used;
 }
 
 /// A vertex that no mesh has, for an index that is out of every range.
@@ -129,7 +122,7 @@ TagReading read_crease(const Tag& tag, PolygonSoup& soup) {
     soup.creases.push_back(
         {{vertex_of(tag.integers[i]), vertex_of(tag.integers[i + 1])}, sharpness});
   }
-  return {true, {}, {}};
+  return Used;
 }
 
 TagReading read_corner(const Tag& tag, PolygonSoup& soup) {
@@ -142,7 +135,7 @@ TagReading read_corner(const Tag& tag, PolygonSoup& soup) {
   for (std::size_t i = 0; i < n; ++i) {
     soup.corners.push_back({vertex_of(tag.integers[i]), tag.numbers[s == 1 ? 0 : i]});
   }
-  return {true, {}, {}};
+  return Used;
 }
 
 /// Of its three values 0 leaves the faces at the boundary out, which Limn does not.
@@ -154,10 +147,10 @@ TagReading read_boundary_rule(const Tag& tag, PolygonSoup& soup) {
   switch (tag.integers.front()) {
     case 1:
       soup.corner_rule = CornerRule::kSharp;
-      return {true, {}, {}};
+      return Used;
     case 2:
       soup.corner_rule = CornerRule::kSmooth;
-      return {true, {}, {}};
+      return Used;
     default:
       return {};
   }
@@ -175,27 +168,39 @@ TagReading read_crease_method(const Tag& tag, PolygonSoup& soup) {
   } else {
     return {};
   }
-  return {true, {}, {}};
+  return Used;
+}
+
+TagReading read_depth(const Tag& tag) {
+  constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
+  if (tag.integers.size() != 1 || tag.integers.front() < 0 || tag.integers.front() > most) {
+    return refused("A depth is one integer from 0 on.");
+  }
+  TagReading reading = Used;
+  reading.depth = static_cast<std::uint32_t>(tag.integers.front());
+  return reading;
 }
 
 }  // namespace
 
-TagReading read_tag(std::string_view arguments, PolygonSoup& soup) {
-  Tag tag;
-  tag.name = take_word(arguments);
-  if (!is_known(tag.name)) {
+TagReading read_tag(std::string_view name, TextCursor& words, PolygonSoup& soup) {
+  if (!is_known(name)) {
     return {};
   }
-  if (TagReading words = read_words(arguments, tag); !words.is_used) {
-    return words;
+  Tag tag;
+  if (TagReading reading = read_words(words, tag); !reading.is_used) {
+    return reading;
   }
-  if (tag.name == "crease") {
+  if (name == "crease") {
     return read_crease(tag, soup);
   }
-  if (tag.name == "corner") {
+  if (name == "corner") {
     return read_corner(tag, soup);
   }
-  return tag.name == "creasemethod" ? read_crease_method(tag, soup) : read_boundary_rule(tag, soup);
+  if (name == "limn_depth") {
+    return read_depth(tag);
+  }
+  return name == "creasemethod" ? read_crease_method(tag, soup) : read_boundary_rule(tag, soup);
 }
 
 }  // namespace limn::detail

@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/formats/parse_number.h"
 #include "mesh/mesh_checks.h"
-#include "mesh/parse_number.h"
 
 namespace limn {
 namespace {
@@ -173,10 +173,8 @@ TEST(ImportObj, MalformedFacesAreErrorsWithTheirLine) {
   EXPECT_THAT(refuse_face("f 1 2 3000000000"), HasSubstr("text.obj:5: A face names vertex "));
   EXPECT_THAT(refuse_face("f 1 2 99999999999999999999"), HasSubstr("is not a corner of a face"));
   EXPECT_THAT(refuse_face("f 1 2 -99999999999"), HasSubstr("counted back from here"));
-  EXPECT_THAT(refuse_face("f 1 2"), HasSubstr("text.obj:5: A face needs at least three corners; "
-                                              "this one has 2."));
-  EXPECT_THAT(refuse_face("f"), HasSubstr("this one has 0"));
-  EXPECT_THAT(refuse_face("f # 1 2 3"), HasSubstr("this one has 0"));
+  EXPECT_EQ(refuse_face("f"), "text.obj:5: This face has no corners.");
+  EXPECT_EQ(refuse_face("\nf # 1 2 3"), "text.obj:6: This face has no corners.");
   EXPECT_THAT(refuse_face("f 1 2/1/1/1 3"), HasSubstr("more than three indices"));
   for (const char* corner : {"x", "1.5", "1/x", "1//x", "/1", "//", "1a", "+-1", "2,"}) {
     EXPECT_THAT(refuse_face("f 1 2 " + std::string(corner)),
@@ -205,13 +203,12 @@ TEST(ImportObj, NothingIsLostInSilence) {
       "2\nbevel on\n");
   EXPECT_THAT(
       imported.report.unused_data,
-      ElementsAre("1 material library", "1 object name", "1 vertex weight", "1 vertex colour",
-                  "1 third texture coordinate", "1 normal", "1 parameter-space point",
-                  "1 group statement", "1 material assignment", "2 smoothing group statements",
-                  "2 line elements", "1 point element", "3 free-form attributes",
-                  "1 free-form curve", "1 free-form surface", "1 \"interpolateboundary\" tag",
-                  "1 \"hole\" tag", "1 \"creasemethod\" tag", "2 \"foo\" statements",
-                  "1 display attribute", "2 texture coordinates"));
+      ElementsAre("1 vertex weight", "1 vertex colour", "1 third texture coordinate", "1 normal",
+                  "1 parameter-space point", "2 smoothing group statements", "2 line elements",
+                  "1 point element", "3 free-form attributes", "1 free-form curve",
+                  "1 free-form surface", "1 \"interpolateboundary\" tag", "1 \"hole\" tag",
+                  "1 \"creasemethod\" tag", "2 \"foo\" statements", "1 display attribute",
+                  "2 texture coordinates"));
   EXPECT_FALSE(imported.report.is_mended());
   EXPECT_EQ(imported.report.sentences().size(), imported.report.unused_data.size());
 }
@@ -251,8 +248,6 @@ TEST(ImportObj, RefusesWhatIsNoMesh) {
               HasSubstr("text.obj: There are 4 vertices but no faces to paint on. What there is: "
                         "1 line element."));
   EXPECT_THAT(refusal("solid cube\nfacet normal 0 0 1\n"), HasSubstr("\"solid\" statement"));
-  EXPECT_THAT(refusal(std::string("\xFF\xFEv\0 \0", 6)), HasSubstr("UTF-16"));
-  EXPECT_THAT(refusal(std::string("\xFE\xFF\0v\0 ", 6)), HasSubstr("UTF-16"));
   EXPECT_THAT(refusal(Square + std::string("f 1 2 3\0", 8)), HasSubstr("binary data"));
 }
 

@@ -1,6 +1,6 @@
 // std::from_chars rounds correctly and knows no locale, but takes no plus sign and gives no value
 // for numbers beyond the range.
-#include "mesh/parse_number.h"
+#include "mesh/formats/parse_number.h"
 
 #include <charconv>
 #include <clocale>

@@ -68,10 +68,46 @@ TEST_F(ImportMesh, NeverOpensMaterials) {
   EXPECT_TRUE(import_mesh(write("a.obj", "mtllib pipe.mtl\n" + Triangle)).has_value());
 }
 
-TEST_F(ImportMesh, RefusesOtherEndings) {
-  EXPECT_EQ(refusal(write("mesh.ply", Triangle)),
-            "Files with the ending .ply are not read; meshes are read from .obj files.");
-  EXPECT_THAT(refusal(write("mesh", Triangle)), HasSubstr("no ending to tell the format by"));
+TEST_F(ImportMesh, ReadsUtf16WithItsMark) {
+  for (const bool is_big : {false, true}) {
+    std::string wide = is_big ? "\xFE\xFF" : "\xFF\xFE";
+    for (const char16_t unit : std::u16string(u"# \u00E4 \u20AC \U0001F404 \n")) {
+      wide += static_cast<char>(is_big ? unit >> 8 : unit & 255);
+      wide += static_cast<char>(is_big ? unit & 255 : unit >> 8);
+    }
+    for (const char c : Triangle + "o \n") {
+      wide += is_big ? '\0' : c;
+      wide += is_big ? c : '\0';
+    }
+    const auto imported = import_mesh(write("wide.obj", wide));
+    ASSERT_TRUE(imported.has_value()) << to_string(imported.error());
+    EXPECT_EQ(imported->mesh->face_count(), 1U);
+    // Without the mark it is binary data, and cut off within a character it ends there.
+    EXPECT_THAT(refusal(write("unmarked.obj", wide.substr(2))), HasSubstr("binary data"));
+    EXPECT_TRUE(import_mesh(write("cut.obj", wide + '\xD8')).has_value());
+  }
+}
+
+TEST_F(ImportMesh, TheContentSaysMoreThanTheEnding) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string stl =
+      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\nendsolid\n";
+  for (const std::string& text : {Triangle, ply, off, stl}) {
+    for (const char* name : {"a.obj", "a.PLY", "a.off", "a.Stl", "a.txt", "a", "a.limn"}) {
+      const auto imported = import_mesh(write(name, text));
+      ASSERT_TRUE(imported.has_value()) << to_string(imported.error());
+      EXPECT_EQ(imported->mesh->face_count(), 1U);
+      EXPECT_EQ(imported->mesh->positions()[1], glm::dvec3(1.0, 0.0, 0.0));
+    }
+  }
+  EXPECT_EQ(refusal(write("notes.txt", "Dear diary,\n")),
+            "Neither its name nor its content is that of a mesh; OBJ, PLY, OFF and STL files are "
+            "read.");
 }
 
 TEST_F(ImportMesh, RefusesWhatCannotBeRead) {
@@ -110,18 +146,8 @@ TEST_F(ImportMesh, RefusesPipesDevicesAndSocketsAtOnce) {
 
 TEST_F(ImportMesh, RefusesEmptyBinaryAndHugeFiles) {
   EXPECT_EQ(refusal(write("empty.obj", "")), "The file is empty.");
-  EXPECT_THAT(refusal(write("binary.obj", std::string("\x7F"
-                                                      "ELF\0\1\2",
-                                                      7))),
+  EXPECT_THAT(refusal(write("binary.obj", std::string("\1\2ELF\0\1\2", 8))),
               HasSubstr("binary data"));
-  std::string wide("\xFF\xFE");
-  for (const char c : Triangle) {
-    wide += c;
-    wide += '\0';
-  }
-  EXPECT_THAT(refusal(write("wide.obj", wide)), HasSubstr("UTF-16"));
-  EXPECT_THAT(refusal(write("wide_unmarked.obj", wide.substr(2))), HasSubstr("binary data"));
-
   const fs::path huge = write("huge.obj", Triangle);
   if (::truncate(huge.c_str(), off_t{5} << 30) == 0) {  // Sparse: takes no room on the disk.
     EXPECT_EQ(refusal(huge), "The file has 5368709120 bytes; files of up to 4 GiB are read.");
