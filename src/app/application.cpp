@@ -10,6 +10,7 @@
 
 #include "app/fonts.h"
 #include "app/status_file.h"
+#include "app/user_folders.h"
 #include "render/png.h"
 
 namespace limn::app {
@@ -46,7 +47,8 @@ Application::Application(const Preferences& preferences, Project project)
                 [this]() -> Result<std::vector<std::uint32_t>> {
                   sync_scene();
                   return scene_.visible_faces(session_, place_.size);
-                }}) {
+                },
+                recovery_folder()}) {
   gui_.set_layout(preferences.layout);
   gui_.set_clipboard([this] { return window_.clipboard(); },
                      [this](const std::string& text) { window_.set_clipboard(text); });

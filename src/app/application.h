@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/imgui_renderer.h"
 #include "app/preferences.h"
@@ -25,6 +26,7 @@ class Application {
 
   /// Writes the state as JSON here whenever it comes to rest (status_file.h).
   void set_status_file(std::filesystem::path path) { status_file_ = std::move(path); }
+  void offer(std::vector<LostWork> lost) { session_.offer(std::move(lost)); }
   void toast(ui::Toast::Kind kind, std::string text) { session_.toast(kind, std::move(text)); }
 
   /// Runs until the person quits. Throws render::EnvironmentError.

@@ -7,6 +7,8 @@
 
 #include "app/application.h"
 #include "app/preferences.h"
+#include "app/recovery_store.h"
+#include "app/user_folders.h"
 #include "limn/document/open.h"
 #include "limn/mesh/bundled.h"
 
@@ -44,6 +46,7 @@ Result<void> run_window(Project project, const WindowOptions& options) {
   if (!loaded) {
     application.toast(ui::Toast::Kind::kProblem, to_string(loaded.error()));
   }
+  application.offer(find_lost_work(recovery_folder()));
   application.run();
 
   Preferences now = application.preferences();

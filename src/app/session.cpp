@@ -18,7 +18,11 @@ using enum ui::ActionId;
 using Kind = ui::Toast::Kind;
 
 Session::Session(SessionHost host)
-    : host_(std::move(host)), refinement_(host_.wake), second_(host_.wake), sphere_(host_.wake) {
+    : host_(std::move(host)),
+      refinement_(host_.wake),
+      second_(host_.wake),
+      sphere_(host_.wake),
+      autosave_(host_.recovery_folder, host_.wake) {
   LIMN_EXPECTS(host_.wake);
   for (const BundledMesh& mesh : bundled_meshes()) {
     bundled_.emplace_back(mesh.name);
@@ -30,11 +34,12 @@ Session::Session(SessionHost host)
 Session::~Session() = default;
 
 void Session::perform(const ui::Action& action) {
-  const bool is_known = perform_answer(action) || perform_program(action) || perform_file(action) ||
-                        perform_edit(action) || perform_rule(action) || perform_creases(action) ||
-                        perform_brush(action) || perform_subdivision(action) ||
-                        perform_scheme(action) || perform_scheme_choice(action) ||
-                        perform_edge(action) || perform_display(action) || perform_camera(action);
+  const bool is_known = perform_answer(action) || perform_recovery(action) ||
+                        perform_program(action) || perform_file(action) || perform_edit(action) ||
+                        perform_rule(action) || perform_creases(action) || perform_brush(action) ||
+                        perform_subdivision(action) || perform_scheme(action) ||
+                        perform_scheme_choice(action) || perform_edge(action) ||
+                        perform_display(action) || perform_camera(action);
   LIMN_EXPECTS(is_known);
   update_facts();
 }
@@ -69,13 +74,14 @@ bool Session::update(double now) {
     finish_export();
     has_news = true;
   }
+  has_news |= follow_autosave();
   has_news |= toasts_.expire(now_);
   has_news |= camera_.update(now_);
   return has_news;
 }
 
 double Session::next_update() const noexcept {
-  return camera_.is_gliding() ? now_ : toasts_.next_end();
+  return camera_.is_gliding() ? now_ : std::min(toasts_.next_end(), autosave_.next());
 }
 
 void Session::finish_refinement() {
@@ -89,6 +95,7 @@ void Session::finish_refinement() {
 
 void Session::show(Project project) {
   stroke_.reset();
+  autosave_.clear();
   document_ = std::move(project.document);
   history_.clear();
   history_.mark_saved();
@@ -191,6 +198,9 @@ void Session::cancel() {
       export_path_.reset();
     }
     held_back_.reset();
+    if (std::holds_alternative<ui::RecoveryQuestion>(modal_)) {
+      lost_.clear();  // They stay where they are, for the next run to ask about.
+    }
     goes_on_after_save_ = false;
     modal_ = std::monostate{};
   } else if (is_stroking()) {

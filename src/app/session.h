@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/autosave.h"
 #include "app/camera_motion.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
@@ -35,6 +36,8 @@ struct SessionHost {
   /// Answers "visible" for the camera in force. Empty without a screen: those actions then fail
   /// with a toast.
   VisibleFaces visible_faces;
+  /// Where copies of unsaved work are kept (recovery_store.h). Empty: nowhere.
+  std::filesystem::path recovery_folder{};
 };
 
 /// One run of the program at work on one document at a time: everything but the window.
@@ -59,6 +62,10 @@ class Session {
   /// Shows a document that was read before the session began. Asks nothing.
   void show(Project project);
   void toast(ui::Toast::Kind kind, std::string text);
+  /// Asks about work that killed runs have left, one after the other.
+  void offer(std::vector<LostWork> lost);
+  /// Blocks until copies of unsaved work are on disk. For tests.
+  void finish_autosave() { autosave_.wait_until_idle(); }
 
   /// The state of everything for one frame of the panels; spans and pointers live until the next
   /// call of a non-const member.
@@ -133,8 +140,9 @@ class Session {
   bool perform_edit(const ui::Action& action);
   bool perform_program(const ui::Action& action);
   bool perform_answer(const ui::Action& action);
-  bool perform_file(const ui::Action& action);  // session_files.cpp, as what follows it
-  bool perform_rule(const ui::Action& action);  // session_painting.cpp
+  bool perform_recovery(const ui::Action& action);  // session_recovery.cpp, as what follows it
+  bool perform_file(const ui::Action& action);      // session_files.cpp, as what follows it
+  bool perform_rule(const ui::Action& action);      // session_painting.cpp
   bool perform_creases(const ui::Action& action);
   bool perform_brush(const ui::Action& action);
   bool perform_subdivision(const ui::Action& action);
@@ -143,6 +151,11 @@ class Session {
   bool perform_edge(const ui::Action& action);
   bool perform_display(const ui::Action& action);  // session_view.cpp
   bool perform_camera(const ui::Action& action);
+
+  void recover();
+  void ask_about_lost_work();
+  /// Keeps copies of unsaved work; returns true where there is something new to show.
+  bool follow_autosave();
 
   void execute(std::unique_ptr<Command> command);
   void cancel();
@@ -220,6 +233,8 @@ class Session {
   std::optional<std::filesystem::path> screenshot_path_;
   bool wants_to_quit_ = false;
   Toasts toasts_;
+  Autosave autosave_;
+  std::vector<LostWork> lost_;  ///< The person is asked about the last of them.
   std::vector<std::string> recent_;
   std::vector<std::string> bundled_;
 };

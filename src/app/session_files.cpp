@@ -83,6 +83,7 @@ bool Session::perform_file(const ui::Action& action) {
     case kQuit:
       if (may_lose_changes(action, "quit")) {
         wants_to_quit_ = true;
+        autosave_.clear();
       }
       return true;
     default:

@@ -56,6 +56,14 @@ fs::path config_folder() {
   return base.empty() ? base : base / "limn";
 }
 
+fs::path recovery_folder() {
+  fs::path base = folder_from_environment("XDG_STATE_HOME");
+  if (const fs::path home = folder_from_environment("HOME"); base.empty() && !home.empty()) {
+    base = home / ".local/state";
+  }
+  return base.empty() ? base : base / "limn/recovery";
+}
+
 fs::path pictures_folder() {
   if (fs::path folder = folder_from_environment("XDG_PICTURES_DIR"); is_folder(folder)) {
     return folder;

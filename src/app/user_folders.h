@@ -9,6 +9,10 @@ namespace limn::app {
 /// neither is set; the folder need not exist.
 [[nodiscard]] std::filesystem::path config_folder();
 
+/// Where Limn keeps copies of unsaved work: `$XDG_STATE_HOME/limn/recovery`, or that in
+/// `~/.local/state`. Empty where neither is set; the folder need not exist.
+[[nodiscard]] std::filesystem::path recovery_folder();
+
 /// Where screenshots go: the user's pictures folder (`$XDG_PICTURES_DIR`, `user-dirs.dirs`,
 /// `~/Pictures`) where there is one, else the current folder.
 [[nodiscard]] std::filesystem::path pictures_folder();

@@ -57,6 +57,10 @@ void History::mark_saved() noexcept {
   saved_at_ = static_cast<std::ptrdiff_t>(next_);
 }
 
+void History::mark_unsaved() noexcept {
+  saved_at_ = -1;
+}
+
 void History::clear() noexcept {
   commands_.clear();
   next_ = 0;

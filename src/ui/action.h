@@ -135,9 +135,11 @@ enum class ActionId : std::uint8_t {
   kRefineAnyway,    ///< OverBudgetQuestion: go on.
   kSaveFirst,       ///< UnsavedQuestion: save, then go on.
   kDiscardChanges,  ///< UnsavedQuestion: go on without saving.
+  kRecover,         ///< RecoveryQuestion: open the unsaved work.
+  kDiscardLost,     ///< RecoveryQuestion: delete it.
 };
 
-inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::kDiscardChanges) + 1;
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::kDiscardLost) + 1;
 
 using ActionValue = std::variant<std::monostate, bool, int, double, std::string>;
 

@@ -218,6 +218,8 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kSaveFirst, kAnswer, kNothing, "Save", "Save the project, then go on."},
     {kDiscardChanges, kAnswer, kNothing, "Discard changes",
      "Go on without saving. What was painted since the last save is lost."},
+    {kRecover, kAnswer, kNothing, "Recover", "Open the newest copy. It is kept until you save it."},
+    {kDiscardLost, kAnswer, kNothing, "Discard", "Delete all copies of this work for good."},
 }};
 
 constexpr bool is_in_order() {

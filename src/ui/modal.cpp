@@ -99,6 +99,23 @@ void draw(PanelContext& context, const UnsavedQuestion& question) {
                               Answer{kSaveFirst, "Save", true}});
 }
 
+void draw(PanelContext& context, const RecoveryQuestion& question) {
+  title(context, "Recover " + question.document + "?");
+  if (!question.path.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
+    paragraph(question.path);
+    ImGui::PopStyleColor();
+  }
+  std::string text =
+      "Limn ended before this was saved. The newest copy of it is of " + question.when + ".";
+  if (question.others > 0) {
+    text += " There is more from other runs.";
+  }
+  paragraph(text);
+  answers(context, std::array{Answer{kDiscardLost, "Discard"}, Answer{kCancel, "Later"},
+                              Answer{kRecover, "Recover", true}});
+}
+
 void draw(PanelContext& context, const HelpSheet&) {
   draw_help_sheet(context);
 }

@@ -181,6 +181,16 @@ struct OverBudgetQuestion {
   std::uint64_t bytes = 0;
   std::uint64_t budget = 0;
 };
+
+/// Work that another run of the program left unsaved when it was killed. Answered by kRecover,
+/// kDiscardLost, or kCancel: later.
+struct RecoveryQuestion {
+  std::string document;    ///< "creature.limn".
+  std::string path;        ///< Where it was last saved; empty if nowhere.
+  std::string when;        ///< Of the newest copy: "22 November, 14:05".
+  std::size_t others = 0;  ///< More of the kind, asked about afterwards.
+};
+
 /// The document has changes that are about to be lost.
 struct UnsavedQuestion {
   std::string document;  ///< Its name.
@@ -211,7 +221,7 @@ struct PathPrompt {
 
 /// What stands before everything else and wants an answer. One at a time.
 using Modal = std::variant<std::monostate, ErrorDialog, OverBudgetQuestion, UnsavedQuestion,
-                           HelpSheet, PathPrompt>;
+                           HelpSheet, PathPrompt, RecoveryQuestion>;
 
 /// Control faces of each depth.
 using DepthCounts = std::array<std::size_t, kMaxDepth + 1>;

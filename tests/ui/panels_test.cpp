@@ -405,6 +405,9 @@ TEST(Panels, EveryActionIsReachable) {
   screen.model.modal = UnsavedQuestion{};
   screen.settle();
   look();
+  screen.model.modal = RecoveryQuestion{};
+  screen.settle();
+  look();
   for (const ActionInfo& action : action_table()) {
     const std::string label(action.label);
     const bool is_drawn = names.contains(label) || names.contains("menu: " + label) ||

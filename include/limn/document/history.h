@@ -34,6 +34,8 @@ class History {
   /// Whether the document differs from when `mark_saved` was last called (or from its beginning).
   [[nodiscard]] bool is_modified() const noexcept;
   void mark_saved() noexcept;
+  /// The document as it is differs from what is on disk, however much is undone.
+  void mark_unsaved() noexcept;
   /// Forgets everything: a new document was opened. It counts as saved.
   void clear() noexcept;
 
