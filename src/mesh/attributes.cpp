@@ -75,11 +75,15 @@ std::vector<float> edge_sharpness(std::span<const CreaseTag> tags, const FaceArr
   std::vector<float> sharpness(edges.edge_corners.size(), 0.0f);
   for (const CreaseTag& tag : tags) {
     const auto ends = rising(tag.vertices[0], tag.vertices[1]);
-    const auto found = std::ranges::lower_bound(named, ends, {}, &NamedEdge::ends);
-    if (found == named.end() || found->ends != ends) {
+    // Several edges of the same ends are one edge of the file that was cut.
+    const auto found = std::ranges::equal_range(named, ends, {}, &NamedEdge::ends);
+    if (found.empty()) {
       report.add(MendKind::kLostCrease);
-    } else {
-      sharpness[found->edge] = checked(tag.sharpness, report);
+      continue;
+    }
+    const float value = checked(tag.sharpness, report);
+    for (const NamedEdge& named_edge : found) {
+      sharpness[named_edge.edge] = value;
     }
   }
   return without_zeros_alone(std::move(sharpness));

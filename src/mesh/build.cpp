@@ -1,6 +1,5 @@
-// In order: merge repeated corners and check every face alone; match edges; orient; separate fans;
-// write the half-edges and what they carry. Each step is linear, and each relies on what the ones
-// before it refuse.
+// The steps of mesh/manifold in order: clean faces, match corners, orient, join at crowded edges,
+// separate fans; then the half-edges are written, and what they carry.
 #include "limn/mesh/build.h"
 
 #include <algorithm>
@@ -13,42 +12,17 @@
 #include "mesh/attributes.h"
 #include "mesh/edge_matching.h"
 #include "mesh/halfedge_assembly.h"
-#include "mesh/mending.h"
+#include "mesh/manifold/clean_faces.h"
+#include "mesh/manifold/crowded_edges.h"
+#include "mesh/manifold/fans.h"
+#include "mesh/manifold/mend_log.h"
+#include "mesh/manifold/orientation.h"
+#include "mesh/manifold/soup_names.h"
 
 namespace limn {
 namespace {
 
-/// Speaks of a soup's elements by source line where it has lines, else by 0-based number.
-class Names {
- public:
-  explicit Names(const PolygonSoup& soup) : soup_(soup) {}
-
-  [[nodiscard]] std::string vertex(std::size_t v) const {
-    return has_vertex_places() ? fmt::format("the vertex of line {}", soup_.vertex_places[v])
-                               : fmt::format("vertex {}", v);
-  }
-  /// `message` goes on from the name of the vertex.
-  [[nodiscard]] tl::unexpected<Error> blame_vertex(std::size_t v,
-                                                   const std::string& message) const {
-    return fail(ErrorKind::kBadInput,
-                has_vertex_places() ? fmt::format("This vertex {}", message)
-                                    : fmt::format("Vertex {} {}", v, message),
-                soup_.source, has_vertex_places() ? soup_.vertex_places[v] : 0);
-  }
-  /// `message` goes on from the name of the face.
-  [[nodiscard]] tl::unexpected<Error> blame_face(std::size_t f, const std::string& message) const {
-    return fail(ErrorKind::kBadInput,
-                has_face_places() ? fmt::format("This face {}", message)
-                                  : fmt::format("Face {} {}", f, message),
-                soup_.source, has_face_places() ? soup_.face_places[f] : 0);
-  }
-
- private:
-  [[nodiscard]] bool has_vertex_places() const { return !soup_.vertex_places.empty(); }
-  [[nodiscard]] bool has_face_places() const { return !soup_.face_places.empty(); }
-
-  const PolygonSoup& soup_;
-};
+using detail::SoupNames;
 
 void expect_well_formed(const PolygonSoup& soup) {
   LIMN_EXPECTS(!soup.face_offsets.empty() && soup.face_offsets.front() == 0);
@@ -56,6 +30,11 @@ void expect_well_formed(const PolygonSoup& soup) {
   LIMN_EXPECTS(soup.face_offsets.back() == soup.face_vertices.size());
   LIMN_EXPECTS(soup.vertex_places.empty() || soup.vertex_places.size() == soup.positions.size());
   LIMN_EXPECTS(soup.face_places.empty() || soup.face_places.size() == soup.face_count());
+  const auto fits = [&](const auto& of_faces) {
+    return of_faces.empty() || of_faces.size() == soup.face_count();
+  };
+  LIMN_EXPECTS(fits(soup.face_depths) && fits(soup.names.objects.of_faces) &&
+               fits(soup.names.groups.of_faces) && fits(soup.names.materials.of_faces));
   LIMN_EXPECTS(soup.face_uvs.empty() || soup.face_uvs.size() == soup.face_vertices.size());
 }
 
@@ -63,7 +42,7 @@ void expect_well_formed(const PolygonSoup& soup) {
 /// to stay well below the square root of what a float can hold.
 constexpr double largest_coordinate = 1e18;
 
-Result<void> check_positions(const PolygonSoup& soup, const Names& names) {
+Result<void> check_positions(const PolygonSoup& soup, const SoupNames& names) {
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
     const glm::dvec3& p = soup.positions[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
@@ -79,76 +58,89 @@ Result<void> check_positions(const PolygonSoup& soup, const Names& names) {
   return {};
 }
 
-/// Copies the faces without the corners that repeat the one before them, and checks each alone.
-Result<detail::WorkingFaces> clean_faces(const PolygonSoup& soup, const Names& names) {
-  detail::WorkingFaces faces;
-  faces.vertex_count = soup.positions.size();
-  faces.offsets.reserve(soup.face_offsets.size());
-  faces.vertices.reserve(soup.face_vertices.size());
-  faces.uvs.reserve(soup.face_uvs.size());
-  std::vector<std::uint32_t> last_seen_in(faces.vertex_count, kNone);
-
-  for (std::uint32_t f = 0; f < soup.face_count(); ++f) {
-    const std::size_t begin = faces.vertices.size();
-    for (std::uint32_t c = soup.face_offsets[f]; c < soup.face_offsets[f + 1]; ++c) {
-      const std::uint32_t v = soup.face_vertices[c];
-      if (v >= faces.vertex_count) {
-        return names.blame_face(f, fmt::format("names vertex {}, counted from 0, but there are {} "
-                                               "vertices.",
-                                               v, faces.vertex_count));
-      }
-      if (faces.vertices.size() == begin || faces.vertices.back() != v) {
-        faces.vertices.push_back(v);
-        if (!soup.face_uvs.empty()) {
-          faces.uvs.push_back(soup.face_uvs[c]);
-        }
-      }
-    }
-    if (faces.vertices.size() > begin + 1 && faces.vertices.back() == faces.vertices[begin]) {
-      faces.vertices.pop_back();
-      if (!faces.uvs.empty()) {
-        faces.uvs.pop_back();
-      }
-    }
-
-    std::size_t distinct = 0;
-    std::uint32_t repeated = kNone;
-    for (std::size_t c = begin; c < faces.vertices.size(); ++c) {
-      const std::uint32_t v = faces.vertices[c];
-      if (std::exchange(last_seen_in[v], f) != f) {
-        ++distinct;
-      } else if (repeated == kNone) {
-        repeated = v;
-      }
-    }
-    if (distinct < 3) {
-      return names.blame_face(f, fmt::format("has {} distinct {}; a face needs at least three. "
-                                             "Delete it or give it more corners.",
-                                             distinct, distinct == 1 ? "vertex" : "vertices"));
-    }
-    if (repeated != kNone) {
-      return names.blame_face(f, fmt::format("meets {} twice. Split it into faces that meet each "
-                                             "vertex once.",
-                                             names.vertex(repeated)));
-    }
-    faces.offsets.push_back(static_cast<std::uint32_t>(faces.vertices.size()));
+Result<void> check_indices(const PolygonSoup& soup, const SoupNames& names) {
+  const auto beyond = std::ranges::find_if(
+      soup.face_vertices, [&](std::uint32_t v) { return v >= soup.positions.size(); });
+  if (beyond == soup.face_vertices.end()) {
+    return {};
   }
-  return faces;
+  const auto corner = static_cast<std::uint32_t>(beyond - soup.face_vertices.begin());
+  const auto after = std::ranges::upper_bound(soup.face_offsets, corner);
+  return names.blame_face(static_cast<std::size_t>(after - soup.face_offsets.begin()) - 1,
+                          fmt::format("names vertex {}, counted from 0, but there are {} "
+                                      "vertices.",
+                                      *beyond, soup.positions.size()));
 }
 
-std::size_t face_of_corner(const detail::WorkingFaces& faces, std::uint32_t corner) {
-  const auto after = std::upper_bound(faces.offsets.begin(), faces.offsets.end(), corner);
-  return static_cast<std::size_t>(after - faces.offsets.begin()) - 1;
+/// A face that is there twice runs along each of its edges as its double does, so that edges are
+/// crowded or clash.
+bool may_have_duplicates(const detail::WorkingFaces& faces,
+                         const detail::CornerMatching& matching) {
+  if (matching.is_crowded()) {
+    return true;
+  }
+  for (std::uint32_t c = 0; c < matching.twins.size(); ++c) {
+    const std::uint32_t twin = matching.twins[c];
+    if (twin != kNone && faces.vertices[c] == faces.vertices[twin]) {
+      return true;
+    }
+  }
+  return false;
 }
 
-tl::unexpected<Error> blame_crowded_edge(const detail::WorkingFaces& faces, std::uint32_t corner,
-                                         const Names& names) {
-  const std::size_t f = face_of_corner(faces, corner);
-  const std::uint32_t next = corner + 1 < faces.offsets[f + 1] ? corner + 1 : faces.offsets[f];
-  return names.blame_face(
-      f, fmt::format("is the third at the edge between {} and {}; a surface has at most two. "
-                     "Delete the inner faces or give this part vertices of its own.",
-                     names.vertex(faces.vertices[corner]), names.vertex(faces.vertices[next])));
+/// Matched, oriented faces and the fans around their vertices.
+struct Manifold {
+  detail::CleanFaces clean;
+  detail::CornerMatching matching;
+  detail::FanOwners owners;
+};
+
+Manifold make_manifold(const PolygonSoup& soup, detail::MendLog& log) {
+  Manifold result{detail::clean_faces(soup, log), {}, {}};
+  detail::WorkingFaces& faces = result.clean.faces;
+  result.matching = detail::match_corners(faces.arrays());
+  if (may_have_duplicates(faces, result.matching) && detail::drop_duplicates(result.clean, log)) {
+    result.matching = detail::match_corners(faces.arrays());
+  }
+  detail::orient(faces, result.matching, log);
+  result.owners = result.matching.is_crowded()
+                      ? detail::join_crowded_edges(faces, result.matching, soup.positions, log)
+                      : detail::find_fans(faces.arrays(), result.matching.twins);
+  return result;
+}
+
+/// Faces with a vertex twice are harmless where the fans around that vertex are apart.
+Result<void> check_pinched(const PolygonSoup& soup, const Manifold& manifold,
+                           const SoupNames& names) {
+  const detail::WorkingFaces& faces = manifold.clean.faces;
+  for (const std::uint32_t f : manifold.clean.pinched) {
+    std::vector<std::uint32_t> owners(manifold.owners.of_corners.begin() + faces.offsets[f],
+                                      manifold.owners.of_corners.begin() + faces.offsets[f + 1]);
+    std::ranges::sort(owners);
+    const auto twice = std::ranges::adjacent_find(owners);
+    if (twice != owners.end()) {
+      const std::uint32_t v = *twice < soup.positions.size()
+                                  ? *twice
+                                  : manifold.owners.copy_sources[*twice - soup.positions.size()];
+      return names.blame_face(
+          faces.sources[f], fmt::format("meets {} twice. Split it into faces that meet each vertex "
+                                        "once.",
+                                        names.vertex(v)));
+    }
+  }
+  return {};
+}
+
+/// Strictness: the first mend as an error.
+Error refusal_of(const ImportReport& report, const std::string& source) {
+  const Mend& mend = report.mends.front();
+  std::string message =
+      "Refused, since nothing may be mended. Else: " + sentence_of(mend.kind, mend.count);
+  if (!report.has_places || mend.elements.empty()) {
+    return {ErrorKind::kBadInput, std::move(message), source, 0};
+  }
+  return detail::error_at(report.place_unit, mend.elements.front().place, std::move(message),
+                          source);
 }
 
 HalfedgeMesh with_positions(HalfedgeMesh mesh, const PolygonSoup& soup,
@@ -160,69 +152,101 @@ HalfedgeMesh with_positions(HalfedgeMesh mesh, const PolygonSoup& soup,
   return mesh;
 }
 
+std::vector<glm::dvec3> loose_vertices(const PolygonSoup& soup,
+                                       const std::vector<std::uint32_t>& vertex_sources) {
+  std::vector<std::uint8_t> is_used(soup.positions.size(), 0);
+  for (const std::uint32_t v : vertex_sources) {
+    is_used[v] = 1;
+  }
+  std::vector<glm::dvec3> loose;
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
+    if (is_used[v] == 0) {
+      loose.push_back(soup.positions[v]);
+    }
+  }
+  return loose;
+}
+
+std::vector<std::uint32_t> depths_of(const PolygonSoup& soup,
+                                     const std::vector<std::uint32_t>& face_sources) {
+  std::vector<std::uint32_t> depths;
+  if (!soup.face_depths.empty()) {
+    depths.reserve(face_sources.size());
+    for (const std::uint32_t f : face_sources) {
+      depths.push_back(soup.face_depths[f]);
+    }
+  }
+  return depths;
+}
+
 }  // namespace
 
-Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup, const BuildSettings&) {
+Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup, const BuildSettings& settings) {
   expect_well_formed(soup);
-  const Names names(soup);
-  if (soup.face_count() == 0) {
-    return fail(ErrorKind::kBadInput, "There are no faces to paint on.", soup.source);
-  }
+  const SoupNames names(soup);
   const auto with_source = [&](Error error) {
     error.path = soup.source;
     return tl::unexpected<Error>(std::move(error));
   };
+  if (soup.face_count() == 0) {
+    return fail(ErrorKind::kBadInput, "There are no faces to paint on.", soup.source);
+  }
   if (auto size = detail::check_halfedge_limits(soup.positions.size(), 0, soup.face_count());
       !size) {
     return with_source(std::move(size.error()));
   }
-  if (auto finite = check_positions(soup, names); !finite) {
+  if (auto finite =
+          check_positions(soup, names).and_then([&] { return check_indices(soup, names); });
+      !finite) {
     return tl::unexpected<Error>(std::move(finite.error()));
   }
-  auto cleaned = clean_faces(soup, names);
-  if (!cleaned) {
-    return tl::unexpected<Error>(std::move(cleaned.error()));
-  }
-  detail::WorkingFaces faces = std::move(*cleaned);
-  ImportReport report;
-  report.add(MendKind::kRepeatedCorner, soup.face_vertices.size() - faces.vertices.size());
 
-  detail::EdgeMatching edges = detail::match_edges(faces.arrays());
-  if (edges.crowded_corner != kNone) {
-    return blame_crowded_edge(faces, edges.crowded_corner, names);
+  detail::MendLog log(soup);
+  Manifold manifold = make_manifold(soup, log);
+  detail::WorkingFaces& faces = manifold.clean.faces;
+  if (faces.sources.empty()) {
+    return fail(ErrorKind::kBadInput,
+                fmt::format("There are no faces to paint on: {}",
+                            sentence_of(MendKind::kDegenerateFace, soup.face_count())),
+                soup.source);
   }
-  const detail::Orientation orientation = detail::orient(faces.arrays(), edges);
-  if (orientation.one_sided_face != kNone) {
-    return names.blame_face(orientation.one_sided_face,
-                            "lies on a surface with one side only, like a Moebius band, so its "
-                            "faces cannot all face outwards. Cut the surface open along an edge.");
+  if (auto harmless = check_pinched(soup, manifold, names); !harmless) {
+    return tl::unexpected<Error>(std::move(harmless.error()));
   }
-  if (orientation.flipped_faces > 0) {
-    detail::flip_faces(orientation.is_flipped, faces, edges);
-  }
-  report.add(MendKind::kFlippedFace, orientation.flipped_faces);
+  const detail::EdgeMatching edges = detail::number_edges(manifold.matching.twins);
 
   // Tags name the file's vertices; from here on they are numbered anew.
   MeshAttributes attributes;
   attributes.creases.method = soup.creasing;
   attributes.corners = soup.corner_rule;
   attributes.creases.edge_sharpness =
-      detail::edge_sharpness(soup.creases, faces.arrays(), edges, report);
-  const detail::Fans fans = detail::separate_fans(faces, edges);
-  attributes.creases.vertex_sharpness = detail::vertex_sharpness(soup, fans.vertex_sources, report);
-  attributes.texture = detail::texture_coordinates(soup, std::move(faces.uvs), report);
-  report.add(MendKind::kSplitVertex, fans.split_vertices);
-  report.add(MendKind::kLooseVertex, fans.isolated_vertices);
+      detail::edge_sharpness(soup.creases, faces.arrays(), edges, log.report());
+  const std::vector<std::uint32_t> vertex_sources =
+      detail::separate_fans(faces, manifold.owners, log);
+  attributes.creases.vertex_sharpness =
+      detail::vertex_sharpness(soup, vertex_sources, log.report());
+  attributes.texture = detail::texture_coordinates(soup, std::move(faces.uvs), log.report());
+  attributes.names = names_by_source(soup.names, faces.sources);
+  attributes.loose_vertices = loose_vertices(soup, vertex_sources);
+  log.report().add(MendKind::kBrokenUv, soup.broken_uvs);
   if (auto size = detail::check_halfedge_limits(faces.vertex_count, edges.edge_corners.size(),
                                                 faces.arrays().face_count());
       !size) {
     return with_source(std::move(size.error()));
   }
-  return ImportedMesh{std::make_shared<const ControlMesh>(
-                          with_positions(detail::assemble_halfedges(faces.arrays(), edges), soup,
-                                         fans.vertex_sources),
-                          std::move(attributes)),
-                      std::move(report)};
+
+  ImportedMesh imported;
+  imported.report = log.finish(faces.sources, vertex_sources);
+  if (settings.is_strict && imported.report.is_mended()) {
+    return tl::unexpected<Error>(refusal_of(imported.report, soup.source));
+  }
+  imported.report.unused_data.insert(imported.report.unused_data.begin(), soup.unused_data.begin(),
+                                     soup.unused_data.end());
+  imported.depths = depths_of(soup, faces.sources);
+  imported.mesh = std::make_shared<const ControlMesh>(
+      with_positions(detail::assemble_halfedges(faces.arrays(), edges), soup, vertex_sources),
+      std::move(attributes));
+  return imported;
 }
 
 }  // namespace limn

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "limn/mesh/control_mesh.h"
+#include "limn/contract.h"
+#include "limn/mesh/flat_topology.h"
 
 namespace limn::detail {
 namespace {
@@ -60,47 +61,70 @@ std::vector<std::uint32_t> corners_by_edge(const std::vector<Ends>& ends,
   return corners;
 }
 
+std::uint32_t most_sides_of(const FaceArrays& faces) {
+  std::uint32_t most = 0;
+  for (std::size_t f = 0; f < faces.face_count(); ++f) {
+    most = std::max(most, faces.offsets[f + 1] - faces.offsets[f]);
+  }
+  return most;
+}
+
 }  // namespace
 
-EdgeMatching match_edges(const FaceArrays& faces) {
+CornerMatching match_corners(const FaceArrays& faces) {
   const std::size_t corner_count = faces.vertices.size();
-  EdgeMatching result;
-  result.crowded_corner = kNone;
-
+  CornerMatching result;
+  result.twins.assign(corner_count, kNone);
   const std::vector<Ends> ends = ends_of_corners(faces);
   const std::vector<std::uint32_t> sorted = corners_by_edge(ends, faces.vertex_count);
-  // Until edges are numbered, corner_edges holds the first corner of each corner's edge.
-  result.corner_edges.resize(corner_count);
-  std::size_t edge_count = 0;
+  const std::uint32_t most_sides = most_sides_of(faces);
+  const auto share_a_face = [&](std::uint32_t a, std::uint32_t b) {
+    return b - a<most_sides&& * std::ranges::upper_bound(faces.offsets, a)> b;
+  };
+  std::vector<std::array<std::size_t, 2>> crowded;  // First corner, place in `sorted`.
   for (std::size_t i = 0; i < corner_count;) {
-    const std::uint32_t first = sorted[i];
-    std::size_t end = i;
-    for (; end < corner_count && ends[sorted[end]] == ends[first]; ++end) {
-      result.corner_edges[sorted[end]] = first;
+    std::size_t end = i + 1;
+    while (end < corner_count && ends[sorted[end]] == ends[sorted[i]]) {
+      ++end;
     }
-    if (end - i > 2) {
-      result.crowded_corner = std::min(result.crowded_corner, sorted[i + 2]);
+    if (end - i == 2 && !share_a_face(sorted[i], sorted[i + 1])) {
+      result.twins[sorted[i]] = sorted[i + 1];
+      result.twins[sorted[i + 1]] = sorted[i];
+    } else if (end - i >= 2) {
+      crowded.push_back({sorted[i], i});
     }
     i = end;
-    ++edge_count;
   }
-  if (result.crowded_corner != kNone) {
-    result.corner_edges.clear();
-    return result;
+  std::ranges::sort(crowded);
+  for (const auto& [first, begin] : crowded) {
+    for (std::size_t i = begin; i < corner_count && ends[sorted[i]] == ends[first]; ++i) {
+      result.crowded_corners.push_back(sorted[i]);
+    }
+    result.crowded_offsets.push_back(static_cast<std::uint32_t>(result.crowded_corners.size()));
   }
+  return result;
+}
 
-  result.edge_corners.reserve(edge_count);
-  for (std::uint32_t c = 0; c < corner_count; ++c) {
-    const std::uint32_t first = result.corner_edges[c];
-    if (first == c) {
+EdgeMatching number_edges(std::span<const std::uint32_t> twins) {
+  EdgeMatching result;
+  result.corner_edges.resize(twins.size());
+  result.edge_corners.reserve(twins.size() / 2);
+  for (std::uint32_t c = 0; c < twins.size(); ++c) {
+    if (twins[c] < c) {
+      result.corner_edges[c] = result.corner_edges[twins[c]];
+      result.edge_corners[result.corner_edges[c]][1] = c;
+    } else {
       result.corner_edges[c] = static_cast<std::uint32_t>(result.edge_corners.size());
       result.edge_corners.push_back({c, kNone});
-    } else {
-      result.corner_edges[c] = result.corner_edges[first];
-      result.edge_corners[result.corner_edges[c]][1] = c;
     }
   }
   return result;
+}
+
+EdgeMatching match_edges(const FaceArrays& faces) {
+  const CornerMatching matching = match_corners(faces);
+  LIMN_EXPECTS(!matching.is_crowded());
+  return number_edges(matching.twins);
 }
 
 std::vector<std::uint32_t> corner_faces(std::span<const std::uint32_t> face_offsets) {

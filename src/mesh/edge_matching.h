@@ -19,13 +19,26 @@ struct FaceArrays {
 
 /// Which corners share an undirected edge. Corner c names the edge from its vertex to the next of
 /// its face.
+struct CornerMatching {
+  std::vector<std::uint32_t> twins;  ///< C, the other corner at the edge; kNone on a boundary and
+                                     ///< at crowded edges: those with three or more corners, or
+                                     ///< with one face on both sides.
+  /// The corners of each crowded edge, rising, and prefix sums of their counts; edges in the order
+  /// of their first corners.
+  std::vector<std::uint32_t> crowded_corners;
+  std::vector<std::uint32_t> crowded_offsets{0};
+
+  [[nodiscard]] bool is_crowded() const noexcept { return !crowded_corners.empty(); }
+};
+
+/// Matches corners in linear time. No face may have the same vertex twice in a row.
+[[nodiscard]] CornerMatching match_corners(const FaceArrays& faces);
+
+/// Edges by number, and their corners.
 struct EdgeMatching {
   std::vector<std::uint32_t> corner_edges;  ///< C.
   /// E, numbered as first met when walking the corners; second is kNone on a boundary.
   std::vector<std::array<std::uint32_t, 2>> edge_corners;
-  /// The first corner that is the third or later at its edge, or kNone. Where there is one, the
-  /// arrays above are empty.
-  std::uint32_t crowded_corner;
 
   /// The other corner at corner c's edge, or kNone.
   [[nodiscard]] std::uint32_t twin(std::uint32_t c) const noexcept {
@@ -34,7 +47,9 @@ struct EdgeMatching {
   }
 };
 
-/// Matches corners in linear time. No face may have the same vertex twice.
+[[nodiscard]] EdgeMatching number_edges(std::span<const std::uint32_t> twins);
+
+/// The edges of a manifold. No edge may be crowded.
 [[nodiscard]] EdgeMatching match_edges(const FaceArrays& faces);
 
 /// The face of every corner.

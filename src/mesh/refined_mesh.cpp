@@ -39,7 +39,6 @@ Matched match(const RefinedMesh& mesh) {
     matched.offsets[f + 1] = static_cast<std::uint32_t>(matched.vertices.size());
   }
   matched.edges = detail::match_edges(matched.arrays());
-  LIMN_EXPECTS(matched.edges.crowded_corner == kNone);
   LIMN_EXPECTS(detail::check_halfedge_limits(mesh.vertex_count(), matched.edges.edge_corners.size(),
                                              mesh.face_count())
                    .has_value());

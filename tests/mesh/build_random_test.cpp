@@ -100,11 +100,13 @@ std::size_t vertices_in_use(const Faces& faces) {
 }
 
 /// Each face must have its soup's positions, forwards or backwards from the same first corner.
-void expect_same_geometry(const PolygonSoup& soup, const ImportedMesh& built) {
-  ASSERT_EQ(built.mesh->face_count(), soup.face_count());
+/// `sources` has the soup's face for each.
+void expect_same_geometry(const PolygonSoup& soup, const ImportedMesh& built,
+                          const std::vector<std::size_t>& sources) {
+  ASSERT_EQ(built.mesh->face_count(), sources.size());
   std::size_t flipped = 0;
-  for (std::size_t f = 0; f < soup.face_count(); ++f) {
-    const auto was = soup.face(f);
+  for (std::size_t f = 0; f < sources.size(); ++f) {
+    const auto was = soup.face(sources[f]);
     const auto is = built.mesh->face(f);
     ASSERT_EQ(is.size(), was.size());
     const std::size_t n = is.size();
@@ -124,42 +126,134 @@ void expect_same_geometry(const PolygonSoup& soup, const ImportedMesh& built) {
   EXPECT_EQ(flipped, built.report.count(MendKind::kFlippedFace));
 }
 
+void expect_same_geometry(const PolygonSoup& soup, const ImportedMesh& built) {
+  std::vector<std::size_t> all(soup.face_count());
+  std::iota(all.begin(), all.end(), 0U);
+  expect_same_geometry(soup, built, all);
+}
+
+/// The faces that are not on the same circle of vertices as an earlier one, by comparing all.
+std::vector<std::size_t> without_duplicates(const Faces& faces) {
+  std::vector<std::size_t> kept;
+  std::set<std::vector<std::uint32_t>> seen;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::vector<std::uint32_t> face = faces[f];
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    if (seen.insert(face).second) {
+      kept.push_back(f);
+    }
+  }
+  return kept;
+}
+
+Faces picked(const Faces& faces, const std::vector<std::size_t>& which) {
+  Faces result;
+  for (const std::size_t f : which) {
+    result.push_back(faces[f]);
+  }
+  return result;
+}
+
+/// Neighbours over an edge with two faces must still be neighbours, but for so many edges.
+std::size_t torn_edges(const Faces& faces, const ControlMesh& mesh) {
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  std::map<Edge, std::vector<std::size_t>> at_edges;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t i = 0; i < faces[f].size(); ++i) {
+      const std::uint32_t a = faces[f][i];
+      const std::uint32_t b = faces[f][(i + 1) % faces[f].size()];
+      at_edges[{std::min(a, b), std::max(a, b)}].push_back(f);
+    }
+  }
+  std::multiset<std::pair<std::size_t, std::size_t>> joined;
+  for (const auto& [one, other] : mesh.topology().edge_corners) {
+    if (other != kNone) {
+      const std::size_t f = mesh.topology().corner_faces[one];
+      const std::size_t g = mesh.topology().corner_faces[other];
+      joined.insert({std::min(f, g), std::max(f, g)});
+    }
+  }
+  std::size_t torn = 0;
+  for (const auto& [edge, at_edge] : at_edges) {
+    if (at_edge.size() == 2) {
+      const auto found = joined.find({at_edge[0], at_edge[1]});
+      if (found == joined.end()) {
+        ++torn;
+      } else {
+        joined.erase(found);
+      }
+    }
+  }
+  return torn;
+}
+
+/// What was mended once needs no mending again.
+void expect_lasting(const ControlMesh& mesh) {
+  PolygonSoup soup;
+  soup.positions.assign(mesh.positions().begin(), mesh.positions().end());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    soup.add_face(mesh.face(f));
+  }
+  const auto again = build_control_mesh(soup, {true});
+  EXPECT_TRUE(again.has_value()) << to_string(again.error());
+}
+
 TEST(BuildRandomSoup, AgreesWithBruteForce) {
   Random random(20260101);
-  std::size_t accepted = 0;
+  std::size_t clean = 0;
+  std::size_t crowded = 0;
   std::size_t one_sided = 0;
   std::size_t split = 0;
+  std::size_t duplicates = 0;
   for (int round = 0; round < 6000; ++round) {
     const std::uint32_t vertex_count = 4 + pick(random, 6);
-    Faces faces(1 + pick(random, 8));
-    for (auto& face : faces) {
+    Faces all(1 + pick(random, 8));
+    for (auto& face : all) {
       std::vector<std::uint32_t> pool(vertex_count);
       std::iota(pool.begin(), pool.end(), 0U);
       std::shuffle(pool.begin(), pool.end(), random);
       pool.resize(3 + pick(random, 2));
       face = pool;
     }
-    const PolygonSoup soup = soup_of(vertex_count, faces);
-    const bool is_crowded = test::edge_use_counts(soup).size() > 3;
-    const auto flips = is_crowded ? std::nullopt : fewest_flips(faces);
+    const PolygonSoup soup = soup_of(vertex_count, all);
     const auto built = build_control_mesh(soup);
-    ASSERT_EQ(built.has_value(), flips.has_value()) << "round " << round;
-    one_sided += !is_crowded && !flips ? 1 : 0;
-    if (!built) {
+    ASSERT_TRUE(built.has_value()) << "round " << round << ": " << to_string(built.error());
+    const ImportReport& report = built->report;
+    const std::vector<std::size_t> kept = without_duplicates(all);
+    const Faces faces = picked(all, kept);
+    ASSERT_EQ(report.count(MendKind::kDuplicateFace), all.size() - kept.size());
+    ASSERT_THAT(faults_of(*built->mesh), IsEmpty()) << "round " << round;
+    ASSERT_NO_FATAL_FAILURE(expect_same_geometry(soup, *built, kept));
+    expect_lasting(*built->mesh);
+    EXPECT_EQ(report.count(MendKind::kLooseVertex), vertex_count - vertices_in_use(faces));
+    EXPECT_LE(torn_edges(faces, *built->mesh), report.count(MendKind::kOneSidedEdge))
+        << "round " << round;
+    duplicates += kept.size() < all.size() ? 1 : 0;
+
+    const bool is_crowded = test::edge_use_counts(soup_of(vertex_count, faces)).size() > 3;
+    EXPECT_EQ(report.count(MendKind::kCrowdedEdge) > 0, is_crowded);
+    crowded += is_crowded ? 1 : 0;
+    if (is_crowded) {
       continue;
     }
-    ++accepted;
-    ASSERT_THAT(faults_of(*built->mesh), IsEmpty()) << "round " << round;
-    ASSERT_NO_FATAL_FAILURE(expect_same_geometry(soup, *built));
-    EXPECT_EQ(built->report.count(MendKind::kFlippedFace), *flips);
-    EXPECT_EQ(built->report.count(MendKind::kSplitVertex), extra_fans(vertex_count, faces));
-    EXPECT_EQ(built->report.count(MendKind::kLooseVertex), vertex_count - vertices_in_use(faces));
-    split += built->report.count(MendKind::kSplitVertex) > 0 ? 1 : 0;
+    const auto flips = fewest_flips(faces);
+    ASSERT_EQ(report.count(MendKind::kOneSidedEdge) == 0, flips.has_value()) << "round " << round;
+    if (!flips) {
+      ++one_sided;
+      EXPECT_EQ(torn_edges(faces, *built->mesh), report.count(MendKind::kOneSidedEdge));
+      continue;
+    }
+    ++clean;
+    EXPECT_EQ(report.count(MendKind::kFlippedFace), *flips);
+    EXPECT_EQ(report.count(MendKind::kSplitVertex), extra_fans(vertex_count, faces));
+    split += report.count(MendKind::kSplitVertex) > 0 ? 1 : 0;
   }
   // The sample must have met every case.
-  EXPECT_GT(accepted, 500U);
+  EXPECT_GT(clean, 500U);
+  EXPECT_GT(crowded, 500U);
   EXPECT_GT(one_sided, 20U);
   EXPECT_GT(split, 200U);
+  EXPECT_GT(duplicates, 20U);
 }
 
 /// A torus of quads, with some pairs of neighbours joined into hexagons and some quads cut.

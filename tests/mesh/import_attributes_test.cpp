@@ -261,7 +261,8 @@ TEST(ImportUvs, CornersWithoutAPointShareOne) {
   // Where no corner has one there is no texture.
   const ImportedMesh none = import_text(vertices + "f 1/1 2/2 5/3 4/4\n");
   EXPECT_TRUE(none.mesh->texture().empty());
-  EXPECT_THAT(none.report.sentences(), ElementsAre("2 vertices are in no face; they are kept aside and written back."));
+  EXPECT_THAT(none.report.sentences(),
+              ElementsAre("2 vertices are in no face; they are kept aside and written back."));
 }
 
 TEST(ImportUvs, BadNumbers) {
@@ -331,7 +332,9 @@ TEST(Corpus, EveryTagOfOpenSubdivsShapesArrives) {
       }
     }
     with_tags += creases.empty() && corners.empty() ? 0 : 1;
-    if (imported->report.count(MendKind::kLooseVertex) + imported->report.count(MendKind::kSplitVertex) > 0) {
+    if (imported->report.count(MendKind::kLooseVertex) +
+            imported->report.count(MendKind::kSplitVertex) >
+        0) {
       continue;  // Numbered otherwise.
     }
     EXPECT_EQ(creases_of(*imported->mesh), creases);

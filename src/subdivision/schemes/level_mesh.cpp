@@ -72,7 +72,6 @@ void connect(std::size_t vertices, LevelMesh& mesh) {
     starts[f] = mesh.faces.first(f);
   }
   const detail::EdgeMatching matching = detail::match_edges({starts, mesh.faces.corners, vertices});
-  LIMN_EXPECTS(matching.crowded_corner == kNone);
   mesh.edge_count = matching.edge_corners.size();
   mesh.edges.assign(matching.corner_edges.begin(), matching.corner_edges.end());
   mesh.twins.resize(mesh.edges.size());
