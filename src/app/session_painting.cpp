@@ -310,7 +310,8 @@ void Session::apply_refined() {
     toast(Kind::kProblem, "The refined mesh has cracks and cannot become a control mesh.");
     return;
   }
-  execute(replace_control_command(to_control_mesh(*refined->mesh), "apply"));
+  execute(
+      replace_control_command(to_control_mesh(*refined->mesh, document_.control.get()), "apply"));
 }
 
 }  // namespace limn::app

@@ -1,5 +1,6 @@
 #include "limn/document/document.h"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -28,7 +29,9 @@ Document make_document(ImportedMesh mesh, std::string name, std::filesystem::pat
   document.depths = FaceDepths(mesh.mesh->face_count());
   LIMN_EXPECTS(mesh.depths.empty() || mesh.depths.size() == mesh.mesh->face_count());
   for (std::size_t f = 0; f < mesh.depths.size(); ++f) {
-    document.depths.set(f, static_cast<int>(mesh.depths[f]));
+    constexpr auto deepest = static_cast<std::uint32_t>(kMaxDepth);
+    mesh.report.add(MendKind::kCappedDepth, mesh.depths[f] > deepest ? 1 : 0);
+    document.depths.set(f, static_cast<int>(std::min(mesh.depths[f], deepest)));
   }
   document.control = mesh.mesh;
   document.settings.corners = mesh.mesh->attributes().corners.value_or(document.settings.corners);

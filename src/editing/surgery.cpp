@@ -12,6 +12,7 @@
 #include "editing/surgery.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "limn/contract.h"
@@ -61,11 +62,15 @@ Surgery::Surgery(const ControlMesh& mesh)
       vertex_sharpness_(mesh.creases().vertex_sharpness),
       uvs_(mesh.texture().values),
       creasing_(mesh.creases().method),
-      corner_rule_(mesh.attributes().corners) {
+      corner_rule_(mesh.attributes().corners),
+      names_(mesh.attributes().names),
+      loose_vertices_(mesh.attributes().loose_vertices) {
   const FlatTopology& flat = mesh.topology();
   const std::vector<float>& sharpness = mesh.creases().edge_sharpness;
   const std::vector<std::uint32_t>& uvs = mesh.texture().corner_values;
   first_corners_.assign(flat.face_offsets.begin(), flat.face_offsets.end() - 1);
+  face_sources_.resize(first_corners_.size());
+  std::iota(face_sources_.begin(), face_sources_.end(), 0U);
   corners_.reserve(flat.corner_vertices.size());
   for (std::uint32_t c = 0; c < flat.corner_vertices.size(); ++c) {
     const std::uint32_t face = flat.corner_faces[c];
@@ -186,6 +191,7 @@ Surgery::Halves Surgery::cut(std::uint32_t corner, const Cut& cut) {
   const std::size_t start = first == corner ? 0 : first == after ? 1 : 2;
   first_corners_[face] = kept[start];
   first_corners_.push_back(added[start]);
+  face_sources_.push_back(face_sources_[face]);
   return {rest, out};
 }
 
@@ -261,6 +267,7 @@ std::shared_ptr<const ControlMesh> Surgery::finish() const {
   soup.uvs = uvs_;
   soup.creasing = creasing_;
   soup.corner_rule = corner_rule_;
+  soup.names = names_by_source(names_, face_sources_);
   for (const std::uint32_t first : first_corners_) {
     std::uint32_t corner = first;
     do {
@@ -283,7 +290,12 @@ std::shared_ptr<const ControlMesh> Surgery::finish() const {
   }
   Result<ImportedMesh> built = build_control_mesh(soup);
   LIMN_EXPECTS(built.has_value() && !built->report.is_mended());
-  return std::move(built->mesh);
+  if (loose_vertices_.empty()) {
+    return std::move(built->mesh);
+  }
+  MeshAttributes attributes = built->mesh->attributes();
+  attributes.loose_vertices = loose_vertices_;
+  return std::make_shared<const ControlMesh>(built->mesh->with_attributes(std::move(attributes)));
 }
 
 }  // namespace limn

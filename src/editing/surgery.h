@@ -96,11 +96,14 @@ class Surgery {
 
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> first_corners_;  ///< Of every face.
+  std::vector<std::uint32_t> face_sources_;   ///< For every face the one it was or was cut from.
   std::vector<glm::dvec3> positions_;
   std::vector<float> vertex_sharpness_;
   std::vector<glm::dvec2> uvs_;
   CreasingMethod creasing_;
   std::optional<CornerRule> corner_rule_;
+  FaceNaming names_;  ///< Of the faces that there were.
+  std::vector<glm::dvec3> loose_vertices_;
 };
 
 }  // namespace limn

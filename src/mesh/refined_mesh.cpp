@@ -109,11 +109,15 @@ HalfedgeMesh to_halfedge_mesh(const RefinedMesh& mesh) {
   return assemble(mesh, match(mesh));
 }
 
-std::shared_ptr<const ControlMesh> to_control_mesh(const RefinedMesh& mesh) {
+std::shared_ptr<const ControlMesh> to_control_mesh(const RefinedMesh& mesh,
+                                                   const ControlMesh* control) {
   const Matched matched = match(mesh);
-  return std::make_shared<const ControlMesh>(
-      assemble(mesh, matched),
-      MeshAttributes{creases_of(mesh, matched), mesh.corner_rule, texture_of(mesh), {}, {}});
+  MeshAttributes attributes{creases_of(mesh, matched), mesh.corner_rule, texture_of(mesh), {}, {}};
+  if (control != nullptr) {
+    attributes.names = names_by_source(control->attributes().names, mesh.face_control_faces);
+    attributes.loose_vertices = control->attributes().loose_vertices;
+  }
+  return std::make_shared<const ControlMesh>(assemble(mesh, matched), std::move(attributes));
 }
 
 }  // namespace limn

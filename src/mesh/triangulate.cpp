@@ -261,7 +261,9 @@ std::shared_ptr<const ControlMesh> triangulated(const ControlMesh& mesh) {
   PolygonSoup soup;
   soup.positions.assign(mesh.positions().begin(), mesh.positions().end());
   soup.uvs = mesh.texture().values;
+  std::vector<std::uint32_t> sources;  // Filled up for a face before the next one is cut.
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    sources.resize(soup.face_count(), static_cast<std::uint32_t>(f - 1));
     if (cuts.is_fan[f]) {
       add_fan(mesh, f, soup);
       continue;
@@ -276,10 +278,14 @@ std::shared_ptr<const ControlMesh> triangulated(const ControlMesh& mesh) {
       }
     }
   }
+  sources.resize(soup.face_count(), static_cast<std::uint32_t>(mesh.face_count() - 1));
   add_tags(mesh, soup);
+  soup.names = names_by_source(mesh.attributes().names, sources);
   Result<ImportedMesh> built = build_control_mesh(soup);
-  LIMN_EXPECTS(built.has_value());
-  return built->mesh;
+  LIMN_EXPECTS(built.has_value() && !built->report.is_mended());
+  MeshAttributes attributes = built->mesh->attributes();
+  attributes.loose_vertices = mesh.attributes().loose_vertices;
+  return std::make_shared<const ControlMesh>(built->mesh->with_attributes(std::move(attributes)));
 }
 
 }  // namespace limn

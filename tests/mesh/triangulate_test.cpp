@@ -3,10 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "limn/mesh/build.h"
 #include "limn/mesh/statistics.h"
+#include "mesh/mesh_checks.h"
 #include "support/attribute_shapes.h"
 #include "support/shapes.h"
 
@@ -135,6 +138,17 @@ TEST(Triangulated, KeepsSharpEdgesAndTexture) {
     EXPECT_EQ(mesh_statistics(*cut).uv_seams, mesh_statistics(*shape.mesh).uv_seams) << shape.name;
     ASSERT_EQ(cut->texture().corner_values.size(), 3 * cut->face_count());
   }
+}
+
+TEST(Triangulated, NamesAndLooseVerticesGoAlong) {
+  PolygonSoup soup = test::soup_of(8, {{0, 1, 2, 3}, {3, 2, 4, 5, 6}});
+  soup.names.materials = {{"red", "blue"}, {1, 0}};
+  const auto built = build_control_mesh(soup);
+  ASSERT_TRUE(built.has_value());
+  const auto mesh = triangulated(*built->mesh);
+  ASSERT_EQ(mesh->face_count(), 5U);
+  EXPECT_THAT(mesh->attributes().names.materials.of_faces, testing::ElementsAre(1, 1, 0, 0, 0));
+  EXPECT_EQ(mesh->attributes().loose_vertices.size(), 1U);
 }
 
 }  // namespace

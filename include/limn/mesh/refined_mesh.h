@@ -96,7 +96,9 @@ struct RefinedMesh {
 [[nodiscard]] HalfedgeMesh to_halfedge_mesh(const RefinedMesh& mesh);
 
 /// The refined mesh as a control mesh with the same vertex and face numbers, in world coordinates.
-/// It carries on what is still sharp, the rules and the texture coordinates.
-[[nodiscard]] std::shared_ptr<const ControlMesh> to_control_mesh(const RefinedMesh& mesh);
+/// It carries on what is still sharp, the rules and the texture coordinates, and from
+/// `control`, which it was refined from, the names of faces and the loose vertices.
+[[nodiscard]] std::shared_ptr<const ControlMesh> to_control_mesh(
+    const RefinedMesh& mesh, const ControlMesh* control = nullptr);
 
 }  // namespace limn

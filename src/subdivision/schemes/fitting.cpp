@@ -19,7 +19,7 @@ std::shared_ptr<const ControlMesh> make_fit(const ControlMesh& mesh, Fitting fit
   settings.corners = mesh.attributes().corners.value_or(CornerRule::kSharp);
   const Result<RefinedMesh> quads = subdivide(mesh, settings, {}, nobody);
   LIMN_EXPECTS(quads.has_value());
-  return to_control_mesh(*quads);
+  return to_control_mesh(*quads, &mesh);
 }
 
 }  // namespace limn
