@@ -69,7 +69,11 @@ class CrowdedEdges {
         matching_(matching),
         positions_(positions),
         face_of_(corner_faces(faces_.offsets)),
-        is_settled_(faces_.vertex_count, 0) {}
+        is_settled_(faces_.vertex_count, 0) {
+    if (edge_count() > 0) {
+      measure_spreads();
+    }
+  }
 
   FanOwners join() {
     join_what_must_be();
@@ -148,14 +152,25 @@ class CrowdedEdges {
     return components;
   }
 
+  [[nodiscard]] const glm::dvec3& first_position(std::uint32_t face) const {
+    return positions_[faces_.vertices[faces_.offsets[face]]];
+  }
+
+  void measure_spreads() {
+    spreads_.assign(faces_.face_count(), glm::dvec3(0.0));
+    for (std::uint32_t f = 0; f < spreads_.size(); ++f) {
+      for (std::uint32_t c = faces_.offsets[f]; c < faces_.offsets[f + 1]; ++c) {
+        spreads_[f] += positions_[faces_.vertices[c]] - first_position(f);
+      }
+    }
+  }
+
   /// The direction in which a corner's face leaves its edge, square to it; of length 1 or 0.
   [[nodiscard]] glm::dvec3 wing(std::uint32_t corner) const {
     const std::uint32_t f = face_of_[corner];
     const glm::dvec3& from = positions_[faces_.vertices[corner]];
-    glm::dvec3 towards(0.0);
-    for (std::uint32_t c = faces_.offsets[f]; c < faces_.offsets[f + 1]; ++c) {
-      towards += positions_[faces_.vertices[c]] - from;
-    }
+    const double sides = faces_.offsets[f + 1] - faces_.offsets[f];
+    glm::dvec3 towards = spreads_[f] + sides * (first_position(f) - from);
     const glm::dvec3 along = positions_[end_of(corner)] - from;
     const double squared = glm::dot(along, along);
     if (squared > 0.0) {
@@ -231,6 +246,7 @@ class CrowdedEdges {
   const CornerMatching& matching_;
   std::span<const glm::dvec3> positions_;
   std::vector<std::uint32_t> face_of_;
+  std::vector<glm::dvec3> spreads_;       ///< Per face the sum of its corners, seen from its first.
   std::vector<std::uint8_t> is_settled_;  ///< Vertices at whose edges nothing more is chosen.
 };
 
