@@ -1,0 +1,6 @@
+#include "round_trip.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  limn::fuzz::check_round_trip(limn::MeshFormat::kObj, data, size);
+  return 0;
+}
