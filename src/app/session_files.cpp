@@ -10,6 +10,7 @@
 #include "app/preferences.h"
 #include "app/session.h"
 #include "app/user_folders.h"
+#include "limn/document/export_settings.h"
 #include "limn/document/open.h"
 #include "limn/mesh/export.h"
 
@@ -167,7 +168,7 @@ void Session::start_export(const fs::path& path) {
 void Session::finish_export() {
   const fs::path path = *std::exchange(export_path_, std::nullopt);
   const RefinedMesh& mesh = *refinement_.refined()->mesh;
-  if (auto written = export_obj(path, mesh, document_.depths.values()); !written) {
+  if (auto written = export_mesh(path, mesh, export_settings(document_)); !written) {
     show_error("Cannot write " + path.filename().string(), std::move(written.error()));
     return;
   }

@@ -173,10 +173,10 @@ void add_sphere_command(CLI::App& compare, Work& work) {
   const auto options = std::make_shared<CompareOptions>();
   options->inputs = {"sphere", "cube_triangulated"};
   command
-      ->add_option(
-          "IN", options->inputs,
-          "Mesh files (.obj), projects (.limn), names of bundled meshes, or - for OBJ text "
-          "on standard input")
+      ->add_option("IN", options->inputs,
+                   "Mesh files (.obj, .ply, .off or .stl), projects (.limn), names of bundled "
+                   "meshes, or - for a mesh "
+                   "on standard input")
       ->capture_default_str();
   command
       ->add_option("--scheme", options->scheme,

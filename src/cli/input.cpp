@@ -59,9 +59,10 @@ void add_choice(CLI::App& command, const std::string& name, std::optional<T>& va
 
 void add_input_option(CLI::App& command, std::string& input) {
   command
-      .add_option("IN", input,
-                  "A mesh file (.obj), a project (.limn), the name of a bundled mesh, or - for OBJ "
-                  "text on standard input")
+      .add_option(
+          "IN", input,
+          "A mesh file (.obj, .ply, .off or .stl), a project (.limn), the name of a bundled "
+          "mesh, or - for a mesh on standard input")
       ->required();
 }
 
@@ -147,9 +148,10 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
 Result<Project> open_input(const std::string& input) {
   Result<Project> project;
   if (input == "-") {
-    project = import_obj(read_all(std::cin), "standard input").map([](ImportedMesh mesh) {
-      return Project{make_document(std::move(mesh), "standard input"), std::nullopt};
-    });
+    project = import_bytes(read_all(std::cin), MeshFormat::kObj, "standard input")
+                  .map([](ImportedMesh mesh) {
+                    return Project{make_document(std::move(mesh), "standard input"), std::nullopt};
+                  });
   } else {
     project = open_document(input);
   }

@@ -47,7 +47,7 @@ void add_input_option(CLI::App& command, std::string& input);
 /// --threads.
 void add_painting_options(CLI::App& command, PaintingOptions& options);
 
-/// Opens IN: `-` is OBJ text on standard input, else see open_document. Prints what was mended.
+/// Opens IN: `-` is a mesh on standard input, else see open_document. Prints what was mended.
 [[nodiscard]] Result<Project> open_input(const std::string& input);
 
 /// Makes the answer to `visible:...` rules for an opened project; called only where a rule asks.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
+#include "limn/mesh/export.h"
 #include "limn/mesh/refined_mesh.h"
 
 namespace CLI {
@@ -15,17 +15,27 @@ class App;
 
 namespace limn::cli {
 
-/// Adds -o, for a mesh.
-void add_output_option(CLI::App& command, std::string& output, bool is_required);
+/// Where a mesh goes, and how.
+struct MeshOutput {
+  std::string path;                  ///< `-` is standard output; empty: nowhere.
+  std::optional<MeshFormat> format;  ///< Nothing: as the ending says, OBJ on standard output.
+  bool is_text = false;              ///< PLY as text.
+};
 
-/// A CLI::ValidationError where a mesh cannot be written there: an ending that is not among
-/// `endings`, of which meshes have ".obj"; or standard output (`-`) that is to hold JSON too.
-void check_output(const std::string& output, bool has_json, std::string_view endings = ".obj");
+/// Adds --format and --ascii.
+void add_format_options(CLI::App& command, MeshOutput& output);
 
-/// Writes OBJ text; `-` is standard output. For `depths` see write_obj (mesh/export.h).
-[[nodiscard]] Result<void> write_mesh(const std::string& output, const ControlMesh& mesh,
-                                      std::span<const std::uint8_t> depths = {});
-[[nodiscard]] Result<void> write_mesh(const std::string& output, const RefinedMesh& mesh,
-                                      std::span<const std::uint8_t> depths = {});
+/// Adds -o, for a mesh, and the options above.
+void add_output_option(CLI::App& command, MeshOutput& output, bool is_required);
+
+/// A CLI::ValidationError where a mesh cannot be written there: an ending that stands for no format
+/// (`others` are taken too, as in " or .limn"), or standard output (`-`) that is to hold JSON too.
+void check_output(const MeshOutput& output, bool has_json, std::string_view others = {});
+
+/// Writes a mesh there, and notes on standard error what the format does not hold of it.
+[[nodiscard]] Result<void> write_mesh(const MeshOutput& output, const ControlMesh& mesh,
+                                      ExportSettings settings = {});
+[[nodiscard]] Result<void> write_mesh(const MeshOutput& output, const RefinedMesh& mesh,
+                                      ExportSettings settings = {});
 
 }  // namespace limn::cli

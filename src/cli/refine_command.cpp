@@ -13,6 +13,7 @@
 #include "cli/mesh_output.h"
 #include "cli/report.h"
 #include "cli/view_options.h"
+#include "limn/document/export_settings.h"
 
 namespace limn::cli {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 struct RefineOptions {
   PaintingOptions painting;
   ViewOptions view;
-  std::string output;
+  MeshOutput output;
   bool json = false;
 };
 
@@ -29,13 +30,13 @@ constexpr std::string_view kProjectEnding = ".limn";
 Result<void> write_output(const RefineOptions& options, const Project& project,
                           const Derived& derived) {
   const Document& document = project.document;
-  if (options.output.ends_with(kProjectEnding)) {
+  if (options.output.path.ends_with(kProjectEnding)) {
     return resolve_view(options.view, project).and_then([&](const ViewState& view) {
-      return save_project(options.output, document, view);
+      return save_project(options.output.path, document, view);
     });
   }
   if (derived.refinement) {
-    return write_mesh(options.output, *derived.refinement->mesh, document.depths.values());
+    return write_mesh(options.output, *derived.refinement->mesh, export_settings(document));
   }
   // The boundary rule is the document's, whatever the mesh came with.
   MeshAttributes attributes = document.control->attributes();
@@ -43,7 +44,7 @@ Result<void> write_output(const RefineOptions& options, const Project& project,
     attributes.corners = document.settings.corners;
   }
   return write_mesh(options.output, document.control->with_attributes(std::move(attributes)),
-                    document.depths.values());
+                    export_settings(document));
 }
 
 Result<void> refine_and_write(const RefineOptions& options) {
@@ -56,7 +57,7 @@ Result<void> refine_and_write(const RefineOptions& options) {
   if (!derived) {
     return tl::unexpected(derived.error());
   }
-  if (!options.output.empty()) {
+  if (!options.output.path.empty()) {
     Result<void> written = write_output(options, *project, *derived);
     if (!written) {
       return written;
@@ -79,15 +80,16 @@ void add_refine_command(CLI::App& program, Work& work) {
   add_painting_options(*command, options->painting);
   add_view_options(*command, options->view);
   command
-      ->add_option(
-          "-o,--output", options->output,
-          "The refined mesh (.obj, or - for standard output), or the painted control mesh as "
-          "a project (.limn); left out, only the numbers are reported")
+      ->add_option("-o,--output", options->output.path,
+                   "The refined mesh (.obj, .ply, .off or .stl, or - for standard output), or the "
+                   "painted control mesh as "
+                   "a project (.limn); left out, only the numbers are reported")
       ->type_name("OUT");
+  add_format_options(*command, options->output);
   command->add_flag("--json", options->json, "The numbers as JSON on standard output");
   command->callback([options, &work] {
-    if (!options->output.ends_with(kProjectEnding)) {
-      check_output(options->output, options->json, ".obj or .limn");
+    if (!options->output.path.ends_with(kProjectEnding)) {
+      check_output(options->output, options->json, " or .limn");
     }
     work = [options] { return refine_and_write(*options); };
   });

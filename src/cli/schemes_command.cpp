@@ -137,9 +137,10 @@ void add_schemes_command(CLI::App& program, Work& work) {
       "schemes", "What each uniform scheme takes and makes; the adjacency that Loop's needs");
   const auto options = std::make_shared<SchemesOptions>();
   command->add_option("SCHEME", options->scheme, "Tell of this one alone: " + scheme_words());
-  command->add_option("IN", options->input,
-                      "With --adjacency: a mesh file (.obj), a project (.limn), the name of a "
-                      "bundled mesh, or - for OBJ text on standard input; without, the sphere");
+  command->add_option(
+      "IN", options->input,
+      "With --adjacency: a mesh file (.obj, .ply, .off or .stl), a project (.limn), the name of a "
+      "bundled mesh, or - for OBJ text on standard input; without, the sphere");
   command->add_flag("--adjacency", options->has_adjacency,
                     "For loop: of every old vertex its neighbours, of every midpoint "
                     "the ends of its edge and the vertices opposite");

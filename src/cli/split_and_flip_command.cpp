@@ -22,7 +22,7 @@ namespace {
 
 struct SplitAndFlipOptions {
   std::string input;
-  std::string output;
+  MeshOutput output;
   std::optional<CornerRule> corners;
   int levels = 1;
   std::uint64_t face_budget = 50'000'000;

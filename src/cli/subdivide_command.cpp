@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 struct SubdivideOptions {
   std::string input;
-  std::string output;
+  MeshOutput output;
   SchemeOptions scheme;
   int levels = 1;
   std::uint64_t face_budget = 50'000'000;
@@ -84,8 +84,8 @@ Result<void> subdivide_and_write(const SubdivideOptions& options) {
   if (!refined) {
     return tl::unexpected(refined.error());
   }
-  if (!options.output.empty()) {
-    if (auto written = write_mesh(options.output, *refined); !written) {
+  if (!options.output.path.empty()) {
+    if (auto written = write_mesh(options.output, *refined, {.control = mesh->get()}); !written) {
       return written;
     }
   }

@@ -19,7 +19,7 @@ namespace {
 
 struct SymmetriseOptions {
   std::string input;
-  std::string output;
+  MeshOutput output;
   SymmetriseBy by = SymmetriseBy::kSplit;
   double degrees = 1.0;
 };

@@ -30,7 +30,7 @@ TEST(Info, ReadsStandardInputAndReportsWhatItMended) {
   EXPECT_EQ(info["vertices"], 4);
   EXPECT_EQ(info["boundary_loops"], 1);
   EXPECT_EQ(info["mended"]["isolated_vertices"], 1);
-  EXPECT_THAT(run.err, testing::HasSubstr("1 vertex was in no face"));
+  EXPECT_THAT(run.err, testing::HasSubstr("1 vertex is in no face"));
 }
 
 TEST(Info, CountsCreasesAndTexture) {

@@ -134,7 +134,7 @@ TEST(Subdivide, MistakesAreUsageErrors) {
   EXPECT_EQ(limn({"subdivide", "cube"}).exit_code, 2);
   EXPECT_EQ(limn({"subdivide", "cube", "--scheme", "cubic"}).exit_code, 2);
   EXPECT_EQ(limn({"subdivide", "cube", "--scheme", "linear", "--levels", "13"}).exit_code, 2);
-  EXPECT_EQ(limn({"subdivide", "cube", "--scheme", "linear", "-o", "out.ply"}).exit_code, 2);
+  EXPECT_EQ(limn({"subdivide", "cube", "--scheme", "linear", "-o", "out.xyz"}).exit_code, 2);
   EXPECT_EQ(limn({"subdivide", "cube", "--scheme", "linear", "-o", "-", "--json"}).exit_code, 2);
   const ProgramRun weights =
       limn({"subdivide", "cube", "--scheme", "linear", "--weights", "warren"});

@@ -34,7 +34,7 @@ RefinedMesh refined(const ControlMesh& mesh, const Depths& depths,
 /// The control mesh of the written text, as another program would read it.
 ImportedMesh read_back(const RefinedMesh& mesh) {
   std::ostringstream text;
-  write_obj(text, mesh, {});
+  write_mesh(text, MeshFormat::kObj, mesh);
   auto imported = import_obj(text.str(), "written");
   EXPECT_TRUE(imported.has_value()) << to_string(imported.error());
   return imported.value_or(ImportedMesh{});

@@ -56,7 +56,7 @@ RefinedMesh refined_evenly(const ControlMesh& mesh, std::uint8_t depth) {
 
 std::string obj_text(const RefinedMesh& mesh) {
   std::ostringstream out;
-  write_obj(out, mesh, {});
+  write_mesh(out, MeshFormat::kObj, mesh);
   return out.str();
 }
 

@@ -1,7 +1,6 @@
 // The bytes of a file are let go before the mesh is built of what they say.
 #include "limn/mesh/import.h"
 
-#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -58,19 +57,7 @@ Result<ImportedMesh> build(const Result<PolygonSoup>& soup, const BuildSettings&
   if (soup->face_count() == 0) {
     return fail(ErrorKind::kBadInput, no_faces(*soup), soup->source);
   }
-  return build_control_mesh(*soup, settings).map([&](ImportedMesh imported) {
-    ImportReport& report = imported.report;
-    const std::vector<std::string>& unused = soup->unused_data;
-    if (!std::equal(unused.begin(), unused.end(), report.unused_data.begin(),
-                    report.unused_data.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                     unused.size(), report.unused_data.size())))) {
-      report.unused_data.insert(report.unused_data.begin(), unused.begin(), unused.end());
-    }
-    if (soup->broken_uvs > report.count(MendKind::kBrokenUv)) {
-      report.add(MendKind::kBrokenUv, soup->broken_uvs);
-    }
-    return imported;
-  });
+  return build_control_mesh(*soup, settings);
 }
 
 }  // namespace

@@ -23,10 +23,8 @@ struct OffLayout {
   std::endian order;
   bool has_face_colours;
 };
-constexpr OffLayout OffLayouts[] = {{std::endian::big, true},
-                                    {std::endian::little, false},
-                                    {std::endian::little, true},
-                                    {std::endian::big, false}};
+constexpr OffLayout OffLayouts[] = {
+    {std::endian::big, true}, {std::endian::little, false}, {std::endian::little, true}};
 
 struct OffCounts {
   std::uint64_t vertices;

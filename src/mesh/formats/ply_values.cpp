@@ -1,4 +1,5 @@
-// Every number becomes a double: no type that is used holds more than one can.
+// Every number becomes a double: no type that is used holds more than one can. A number in text is
+// of the type that the header gives it, so that what is written as a float comes back as that.
 #include "mesh/formats/ply_values.h"
 
 #include <bit>
@@ -53,7 +54,9 @@ bool PlyValues::next_in_text(double& value) {
 
 bool PlyValues::next(PlyType type, double& value) {
   if (is_text_) {
-    return next_in_text(value);
+    const bool is_read = next_in_text(value);
+    value = type == PlyType::kFloat32 ? static_cast<double>(static_cast<float>(value)) : value;
+    return is_read;
   }
   if (bytes_.bytes_left() < size_of(type)) {
     return refuse_end();

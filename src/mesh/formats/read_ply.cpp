@@ -364,9 +364,7 @@ void PlyBody::take_wedges() {
   std::vector<std::uint32_t> corners;
   for (std::uint32_t c = 0; c < wedges_.size(); ++c) {
     if (has_wedge_[c]) {
-      WeldKey key = weld_key({wedges_[c].x, wedges_[c].y, 0.0});
-      key[2] = soup_.face_vertices[c];
-      keys.push_back(key);
+      keys.push_back(corner_key(soup_.face_vertices[c], wedges_[c]));
       corners.push_back(c);
     }
   }

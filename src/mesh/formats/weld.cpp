@@ -14,6 +14,10 @@ WeldKey weld_key(const glm::dvec3& position) noexcept {
           std::bit_cast<std::uint64_t>(position.z + 0.0)};
 }
 
+WeldKey corner_key(std::uint32_t vertex, const glm::dvec2& uv) noexcept {
+  return {std::bit_cast<std::uint64_t>(uv.x), std::bit_cast<std::uint64_t>(uv.y), vertex};
+}
+
 Welding weld(const std::vector<WeldKey>& keys) {
   std::vector<std::uint32_t> sorted(keys.size());
   std::iota(sorted.begin(), sorted.end(), 0U);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace limn::detail {
@@ -13,6 +14,9 @@ using WeldKey = std::array<std::uint64_t, 3>;
 
 /// The bits of a position, those of -0 being those of 0.
 [[nodiscard]] WeldKey weld_key(const glm::dvec3& position) noexcept;
+
+/// A vertex and the bits of a texture coordinate that one of its corners has.
+[[nodiscard]] WeldKey corner_key(std::uint32_t vertex, const glm::dvec2& uv) noexcept;
 
 struct Welding {
   std::vector<std::uint32_t> first;    ///< For every number of the result a key that has it, the

@@ -28,7 +28,7 @@ using testing::IsEmpty;
 template <class Mesh>
 std::string text_of(const Mesh& mesh, const std::vector<std::uint8_t>& depths) {
   std::ostringstream out;
-  write_obj(out, mesh, depths);
+  write_mesh(out, MeshFormat::kObj, mesh, {.depths = depths});
   return out.str();
 }
 
@@ -189,19 +189,19 @@ class ExportObj : public testing::Test {
 
 TEST_F(ExportObj, WritesWhatWriteObjWrites) {
   const std::vector<std::uint8_t> depths = {1, 2, 3};
-  ASSERT_TRUE(export_obj(folder_ / "strip.obj", strip(), depths).has_value());
+  ASSERT_TRUE(export_mesh(folder_ / "strip.obj", strip(), {.depths = depths}).has_value());
   EXPECT_EQ(test::read_file(folder_ / "strip.obj"), text_of(strip(), depths));
 
   const auto imported = import_mesh(folder_ / "strip.obj");
   ASSERT_TRUE(imported.has_value());
-  ASSERT_TRUE(export_obj(folder_ / "again.obj", *imported->mesh, {}).has_value());
+  ASSERT_TRUE(export_mesh(folder_ / "again.obj", *imported->mesh).has_value());
   const auto again = import_mesh(folder_ / "again.obj");
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(faces_of(*again->mesh), faces_of(*imported->mesh));
 }
 
 TEST_F(ExportObj, FailsWithThePath) {
-  const auto written = export_obj(folder_ / "missing" / "strip.obj", strip(), {});
+  const auto written = export_mesh(folder_ / "missing" / "strip.obj", strip());
   ASSERT_FALSE(written.has_value());
   EXPECT_EQ(written.error().kind, ErrorKind::kFailed);
   EXPECT_THAT(to_string(written.error()), HasSubstr("missing/strip.obj: "));
