@@ -54,6 +54,8 @@ int run(int argc, char** argv) {
   add_refine_command(program, work);
   add_render_command(program, work);
   add_info_command(program, work);
+  add_validate_command(program, work);
+  add_convert_command(program, work);
   add_subdivide_command(program, work);
   add_schemes_command(program, work);
   add_compare_command(program, work);

@@ -17,6 +17,8 @@ using Work = std::function<Result<void>()>;
 void add_refine_command(CLI::App& program, Work& work);
 void add_render_command(CLI::App& program, Work& work);
 void add_info_command(CLI::App& program, Work& work);
+void add_validate_command(CLI::App& program, Work& work);
+void add_convert_command(CLI::App& program, Work& work);
 void add_subdivide_command(CLI::App& program, Work& work);
 void add_schemes_command(CLI::App& program, Work& work);
 void add_compare_command(CLI::App& program, Work& work);

@@ -66,8 +66,15 @@ void add_input_option(CLI::App& command, std::string& input) {
       ->required();
 }
 
+void add_inputs_option(CLI::App& command, std::vector<std::string>& inputs) {
+  command
+      .add_option("IN", inputs,
+                  "One or more: mesh files (.obj, .ply, .off or .stl), projects (.limn), names of "
+                  "bundled meshes, or - for a mesh on standard input")
+      ->required();
+}
+
 void add_painting_options(CLI::App& command, PaintingOptions& options) {
-  add_input_option(command, options.input);
   command
       .add_option_function<std::vector<std::string>>(
           "--paint",
@@ -145,16 +152,18 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
       ->default_str("all");
 }
 
-Result<Project> open_input(const std::string& input) {
-  Result<Project> project;
-  if (input == "-") {
-    project = import_bytes(read_all(std::cin), MeshFormat::kObj, "standard input")
-                  .map([](ImportedMesh mesh) {
-                    return Project{make_document(std::move(mesh), "standard input"), std::nullopt};
-                  });
-  } else {
-    project = open_document(input);
+Result<Project> open_quietly(const std::string& input, const BuildSettings& settings) {
+  if (input != "-") {
+    return open_document(input, settings);
   }
+  return import_bytes(read_all(std::cin), MeshFormat::kObj, "standard input", settings)
+      .map([](ImportedMesh mesh) {
+        return Project{make_document(std::move(mesh), "standard input"), std::nullopt};
+      });
+}
+
+Result<Project> open_input(const std::string& input) {
+  Result<Project> project = open_quietly(input);
   if (project) {
     print_import_report(project->document.import_report, input);
   }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limn/document/project_file.h"
@@ -20,6 +21,8 @@ class App;
 }
 
 namespace limn::cli {
+
+inline constexpr std::string_view kProjectEnding = ".limn";
 
 /// What every subcommand that paints and subdivides takes. Settings left out are the project's, or
 /// the defaults for a mesh file.
@@ -39,16 +42,20 @@ struct PaintingOptions {
   int threads = 0;  ///< 0: as many as the machine has.
 };
 
-/// Adds the positional IN.
+/// Adds the positional IN, or one or more.
 void add_input_option(CLI::App& command, std::string& input);
+void add_inputs_option(CLI::App& command, std::vector<std::string>& inputs);
 
-/// Adds IN, --paint, --crease, --legalize, --non-quads, --corners, --positions, --texture,
+/// Adds --paint, --crease, --legalize, --non-quads, --corners, --positions, --texture,
 /// --levels, --budget and
 /// --threads.
 void add_painting_options(CLI::App& command, PaintingOptions& options);
 
 /// Opens IN: `-` is a mesh on standard input, else see open_document. Prints what was mended.
 [[nodiscard]] Result<Project> open_input(const std::string& input);
+/// The same without printing.
+[[nodiscard]] Result<Project> open_quietly(const std::string& input,
+                                           const BuildSettings& settings = {});
 
 /// Makes the answer to `visible:...` rules for an opened project; called only where a rule asks.
 using MakeVisibleFaces = std::function<VisibleFaces(const Project&)>;

@@ -143,6 +143,7 @@ void add_render_command(CLI::App& program, Work& work) {
       program.add_subcommand("render", "Draw a painted mesh or its refinement into a PNG picture");
   const auto options = std::make_shared<RenderOptions>();
   PictureSettings& picture = options->picture;
+  add_input_option(*command, options->painting.input);
   add_painting_options(*command, options->painting);
   add_view_options(*command, options->view);
   command->add_option("-o,--output", options->output, "The picture (.png)")

@@ -29,14 +29,14 @@ std::vector<std::string_view> bundled_names() {
 
 }  // namespace
 
-Result<Project> open_document(const std::string& name) {
+Result<Project> open_document(const std::string& name, const BuildSettings& settings) {
   const fs::path path(name);
   std::error_code ignored;
   if (fs::exists(path, ignored)) {
     if (path.extension() == ".limn") {
       return load_project(path);
     }
-    return import_mesh(path).map([&](ImportedMesh mesh) {
+    return import_mesh(path, settings).map([&](ImportedMesh mesh) {
       return unpainted(std::move(mesh), path.filename().string(), path);
     });
   }
