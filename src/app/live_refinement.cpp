@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "limn/document/memory_budget.h"
+
 namespace limn::app {
 namespace {
 
@@ -65,7 +67,8 @@ void LiveRefinement::follow(const Document& document, const Wish& wish) {
   submitted_scheme_ = scheme;
   submitted_levels_ = levels;
   job_.submit({++serial_, document.control, document.depths, document.settings, scheme, levels,
-               std::max(budget_, raised_budget_)});
+               std::max(budget_, raised_budget_),
+               memory_budget_ ? *memory_budget_ : memory_budget()});
 }
 
 bool LiveRefinement::update() {
@@ -118,7 +121,7 @@ std::optional<ui::OverBudgetQuestion> LiveRefinement::question() const {
     return std::nullopt;
   }
   return ui::OverBudgetQuestion{newest_->prediction.faces, newest_->prediction.bytes,
-                                std::max(budget_, raised_budget_)};
+                                std::max(budget_, raised_budget_), newest_->memory_budget};
 }
 
 void LiveRefinement::accept() {

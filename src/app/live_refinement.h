@@ -61,6 +61,9 @@ class LiveRefinement {
   /// Leaves the last good result; asks no more until something fits the budget again.
   void decline();
 
+  /// Most bytes of a refined mesh, whatever the person agrees to; without, what the machine can
+  /// spare at the time.
+  void set_memory_budget(std::uint64_t bytes) noexcept { memory_budget_ = bytes; }
   void set_face_budget(std::uint64_t faces) noexcept { budget_ = faces; }
   [[nodiscard]] std::uint64_t face_budget() const noexcept { return budget_; }
 
@@ -75,6 +78,7 @@ class LiveRefinement {
 
   RefinementJob job_;
   std::uint64_t budget_ = kDefaultBudget;
+  std::optional<std::uint64_t> memory_budget_;
   std::uint64_t raised_budget_ = 0;  ///< What the person has agreed to for this control mesh.
 
   std::shared_ptr<const ControlMesh> control_;  ///< What was last submitted.

@@ -198,7 +198,11 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   result.prediction = request.scheme && request.levels > 0
                           ? predict_uniform(control, *request.scheme, request.levels)
                           : predict_derived(control, *result.labels, request.levels);
-  result.is_over_budget = request.levels > 0 && result.prediction.faces > request.face_budget;
+  if (request.levels > 0 && result.prediction.bytes > request.memory_budget) {
+    result.memory_budget = request.memory_budget;
+  }
+  result.is_over_budget = request.levels > 0 && (result.memory_budget > 0 ||
+                                                 result.prediction.faces > request.face_budget);
   result.is_final = request.levels == 0 || result.is_over_budget;
   publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
   if (result.is_final) {

@@ -33,6 +33,7 @@ struct JobRequest {
   std::optional<SchemeSettings> scheme;  ///< Takes the mesh. Nothing: what is painted.
   int levels = 0;                        ///< 0: labels and their prediction only.
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t memory_budget = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// What came of a request. Handed out twice where there is something to refine: first without a
@@ -47,9 +48,10 @@ struct JobResult {
   std::vector<SchemeStep> steps;                   ///< Of a scheme, levels 0..n.
   std::shared_ptr<const render::Surface> surface;  ///< Of the refined mesh, ready for drawing.
   RefinementPrediction prediction;                 ///< For the levels asked for.
-  std::size_t illegal_left = 0;  ///< Illegal faces under the legal labels: 0, or it is a bug.
-  bool is_over_budget = false;   ///< `prediction` was above the budget, so nothing was refined.
-  bool is_final = false;         ///< Nothing more will come of this request.
+  std::size_t illegal_left = 0;     ///< Illegal faces under the legal labels: 0, or it is a bug.
+  bool is_over_budget = false;      ///< `prediction` was above the budget, so nothing was refined.
+  std::uint64_t memory_budget = 0;  ///< Where that was too small, what it was.
+  bool is_final = false;            ///< Nothing more will come of this request.
 };
 
 /// What the worker is at.

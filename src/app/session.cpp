@@ -3,6 +3,7 @@
 #include "app/session.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,6 +35,16 @@ Session::Session(SessionHost host)
 Session::~Session() = default;
 
 void Session::perform(const ui::Action& action) {
+  try {
+    carry_out(action);
+  } catch (const std::bad_alloc&) {
+    show_error(
+        "Not enough memory",
+        {ErrorKind::kFailed, "This needs more memory than there is. Nothing was changed.", {}});
+  }
+}
+
+void Session::carry_out(const ui::Action& action) {
   const bool is_known = perform_answer(action) || perform_recovery(action) ||
                         perform_program(action) || perform_file(action) || perform_edit(action) ||
                         perform_rule(action) || perform_creases(action) || perform_brush(action) ||

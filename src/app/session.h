@@ -107,6 +107,8 @@ class Session {
                double dihedral_threshold);
   void set_crease_sharpness(double sharpness) noexcept { crease_sharpness_ = sharpness; }
   void set_recent_files(std::vector<std::string> files) { recent_ = std::move(files); }
+  /// For tests: instead of what the machine can spare.
+  void set_memory_budget(std::uint64_t bytes) noexcept { refinement_.set_memory_budget(bytes); }
   void set_face_budget(std::uint64_t faces) noexcept { refinement_.set_face_budget(faces); }
 
   [[nodiscard]] const ViewState& view() const noexcept { return camera_.view(); }
@@ -136,6 +138,7 @@ class Session {
   [[nodiscard]] bool wants_to_quit() const noexcept { return wants_to_quit_; }
 
  private:
+  void carry_out(const ui::Action& action);
   // Each carries out the actions of its kind and returns false for all others.
   bool perform_edit(const ui::Action& action);
   bool perform_program(const ui::Action& action);
@@ -226,6 +229,7 @@ class Session {
 
   ui::Modal modal_;
   std::optional<ui::Action> held_back_;  ///< Waits for the answer about unsaved changes.
+  bool may_lose_all_ = false;            ///< While `held_back_` is carried out.
   bool goes_on_after_save_ = false;      ///< `held_back_` follows once saving has worked.
   std::uint64_t prompt_serial_ = 0;
   std::filesystem::path last_folder_;

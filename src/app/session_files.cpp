@@ -94,7 +94,7 @@ bool Session::perform_file(const ui::Action& action) {
 
 bool Session::may_lose_changes(const ui::Action& action, std::string next) {
   end_stroke();
-  if (!history_.is_modified()) {
+  if (!history_.is_modified() || may_lose_all_) {
     return true;
   }
   held_back_ = action;
@@ -105,9 +105,11 @@ bool Session::may_lose_changes(const ui::Action& action, std::string next) {
 void Session::go_on() {
   goes_on_after_save_ = false;
   if (auto action = std::exchange(held_back_, std::nullopt)) {
-    // Nothing is left to lose: either it was saved, or the person said to lose it.
-    history_.mark_saved();
+    // Either it was saved, or the person said to lose it. If the action then fails, the document is
+    // there still, and as unsaved as before.
+    may_lose_all_ = true;
     perform(*action);
+    may_lose_all_ = false;
   }
 }
 

@@ -1,6 +1,7 @@
 // Painting and subdividing: each action that changes the document makes one command.
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -173,8 +174,14 @@ void Session::end_stroke() {
   }
   const auto edits = stroke_->edits();
   if (!edits.empty()) {
-    history_.record(
-        paint_command({edits.begin(), edits.end()}, "paint " + face_count(edits.size())));
+    try {
+      history_.record(
+          paint_command({edits.begin(), edits.end()}, "paint " + face_count(edits.size())));
+    } catch (const std::bad_alloc&) {
+      give_up_stroke();  // What cannot be undone is not to stay.
+      toast(Kind::kProblem, "There is not enough memory to remember this stroke.");
+      return;
+    }
   }
   stroke_.reset();
 }

@@ -16,6 +16,7 @@
 
 #include "cli/console.h"
 #include "limn/document/commands.h"
+#include "limn/document/memory_budget.h"
 #include "limn/document/open.h"
 #include "limn/mesh/import.h"
 
@@ -146,6 +147,12 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
                   "Refuse, before any work, a result with more faces")
       ->type_name("FACES")
       ->capture_default_str();
+  command
+      .add_option("--memory", options.memory_budget,
+                  "Refuse, before any work, a result that takes more: a size such as 800MB or 4GB")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(true))
+      ->default_str("70 % of what is available");
   command.add_option("--threads", options.threads, "Use at most N threads; the result is the same")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
@@ -227,7 +234,9 @@ Result<Derived> derive(const Project& project, const PaintingOptions& options) {
   if (options.levels > 0 && derived.labels.prediction.levels > 0) {
     Result<Refinement> refinement =
         derive_refinement(*document.control, derived.labels,
-                          {document.settings, options.levels, options.face_budget}, progress);
+                          {document.settings, options.levels, options.face_budget,
+                           options.memory_budget ? *options.memory_budget : memory_budget()},
+                          progress);
     if (!refinement) {
       return tl::unexpected(std::move(refinement.error()));
     }

@@ -39,6 +39,7 @@ struct PaintingOptions {
   std::optional<TextureRule> texture;
   int levels = kAllLevels;
   std::uint64_t face_budget = 50'000'000;
+  std::optional<std::uint64_t> memory_budget;  ///< Bytes; nothing: what the machine can spare.
   int threads = 0;  ///< 0: as many as the machine has.
 };
 
@@ -46,9 +47,8 @@ struct PaintingOptions {
 void add_input_option(CLI::App& command, std::string& input);
 void add_inputs_option(CLI::App& command, std::vector<std::string>& inputs);
 
-/// Adds --paint, --crease, --legalize, --non-quads, --corners, --positions, --texture,
-/// --levels, --budget and
-/// --threads.
+/// Adds --paint, --crease, --legalize, --non-quads, --corners, --positions, --texture, --levels,
+/// --budget, --memory and --threads.
 void add_painting_options(CLI::App& command, PaintingOptions& options);
 
 /// Opens IN: `-` is a mesh on standard input, else see open_document. Prints what was mended.

@@ -12,6 +12,8 @@
 #include <CLI/Validators.hpp>
 
 #include "cli/console.h"
+#include "limn/document/memory_budget.h"
+#include "limn/document/scheme_refinement.h"
 #include "limn/subdivision/schemes/uniform.h"
 
 namespace limn::cli {
@@ -124,9 +126,12 @@ Result<std::shared_ptr<const ControlMesh>> fit_mesh(const std::shared_ptr<const 
 
 Result<void> check_budget(const ControlMesh& mesh, const SchemeSettings& settings, int levels,
                           std::uint64_t face_budget) {
-  const std::uint64_t faces = predict_scheme(mesh, settings, levels).back().faces;
+  const SchemeCounts counts = predict_scheme(mesh, settings, levels).back();
+  const std::uint64_t faces = counts.faces;
   if (faces <= face_budget) {
-    return {};
+    const std::uint64_t bytes = scheme_bytes(counts);
+    const std::uint64_t memory = memory_budget();
+    return bytes <= memory ? Result<void>() : over_memory(faces, bytes, memory);
   }
   return fail(ErrorKind::kOverBudget,
               fmt::format("The result would have {} faces, more than the allowed {}. Make fewer "

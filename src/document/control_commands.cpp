@@ -69,10 +69,12 @@ class ReplaceCommand final : public Command {
     if (other_.control == nullptr) {
       other_ = unpainted(document.opened);
     }
-    swap_with(document);
-    // Loop is left where the other mesh is none for it.
+    // Loop is left where the other mesh is none for it. Asked first, since asking may throw.
     painted_by_ = document.settings.scheme;
-    if (painted_by_ == RefinementScheme::kLoop && !check_fits(*document.control, Scheme::kLoop)) {
+    const bool leaves_loop = painted_by_ == RefinementScheme::kLoop &&
+                             !check_fits(*other_.control, Scheme::kLoop).has_value();
+    swap_with(document);
+    if (leaves_loop) {
       paint_by(document, RefinementScheme::kCatmullClark);
     }
   }

@@ -6,15 +6,27 @@ namespace limn {
 
 void History::execute(Document& document, std::unique_ptr<Command> command) {
   LIMN_EXPECTS(command != nullptr);
-  command->apply(document);
-  record(std::move(command));
+  commands_.push_back(nullptr);  // What may fail comes before the document changes.
+  try {
+    command->apply(document);
+  } catch (...) {
+    commands_.pop_back();
+    throw;
+  }
+  settle(std::move(command));
 }
 
 void History::record(std::unique_ptr<Command> command) {
   LIMN_EXPECTS(command != nullptr);
+  commands_.push_back(nullptr);
+  settle(std::move(command));
+}
+
+/// Puts an applied command in the place that was made for it at the end.
+void History::settle(std::unique_ptr<Command> command) noexcept {
   forget_redo();
   bytes_ += command->bytes();
-  commands_.push_back(std::move(command));
+  commands_.back() = std::move(command);
   next_ = commands_.size();
   keep_within_budget(next_ - 1);
 }
@@ -69,7 +81,8 @@ void History::clear() noexcept {
 }
 
 void History::forget_redo() noexcept {
-  while (commands_.size() > next_) {
+  while (commands_.size() > next_ + 1) {
+    std::swap(commands_[commands_.size() - 2], commands_.back());  // The empty place stays last.
     bytes_ -= commands_.back()->bytes();
     commands_.pop_back();
   }

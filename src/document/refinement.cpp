@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "limn/document/memory_budget.h"
 #include "limn/document/scheme_refinement.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/labels.h"
@@ -114,8 +115,16 @@ Result<DerivedLabels> derive_labels(const ControlMesh& control,
 
 RefinementPrediction predict_derived(const ControlMesh& control, const DerivedLabels& labels,
                                      int levels) {
-  return labels.face_depths.empty() ? predict_refinement(control, labels.legal.labels, levels)
-                                    : predict_loop(control, held_to(labels.face_depths, levels));
+  if (!labels.face_depths.empty()) {
+    return predict_loop(control, held_to(labels.face_depths, levels));
+  }
+  RefinementPrediction prediction = predict_refinement(control, labels.legal.labels, levels);
+  const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  // A product of fewer than 2^60 vertices; the guard is for a prediction that was cut off itself.
+  prediction.bytes = prediction.vertices > most / 16 || prediction.bytes > most / 2
+                         ? most
+                         : prediction.bytes + prediction.vertices * sizeof(glm::vec3);
+  return prediction;
 }
 
 /// One refined mesh that nobody uses, for the next refinement to write over.
@@ -140,6 +149,10 @@ Result<Refinement> RefinementSource::derive(const ControlMesh& control, const De
                                             const RefinementOptions& options, Progress& progress) {
   Refinement derived;
   derived.prediction = predict_derived(control, labels, options.levels);
+  if (derived.prediction.bytes > options.memory_budget &&
+      derived.prediction.faces <= options.face_budget) {
+    return over_memory(derived.prediction.faces, derived.prediction.bytes, options.memory_budget);
+  }
   const Stopwatch refining;
   PartOf refine_part(progress, 0.0, 0.7);
   // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): it goes back, or to whoever asked.

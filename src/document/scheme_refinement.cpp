@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "limn/document/memory_budget.h"
+
 namespace limn {
 namespace {
 
@@ -61,6 +63,9 @@ Result<SchemeRefinement> derive_scheme(const ControlMesh& control, const SchemeS
     return fail(ErrorKind::kOverBudget,
                 fmt::format("Level {} has {} faces, more than {}.", limits.levels,
                             counts.back().faces, limits.face_budget));
+  }
+  if (const std::uint64_t bytes = scheme_bytes(counts.back()); bytes > limits.memory_budget) {
+    return over_memory(counts.back().faces, bytes, limits.memory_budget);
   }
   SchemeRefinement derived;
   SchemeLevels levels(control, settings);

@@ -74,9 +74,10 @@ double Bounds::diagonal() const noexcept {
 }
 
 ControlMesh::ControlMesh(HalfedgeMesh mesh, MeshAttributes attributes) {
-  auto surface = std::make_shared<Surface>();
+  // Copied when it is made: where memory runs out while OpenMesh assigns one mesh to another, both
+  // own the same arrays.
+  const std::shared_ptr<Surface> surface(new Surface{mesh, {}, {}, {}, false, false});
   FlatTopology& topology = surface->topology;
-  surface->halfedges = std::move(mesh);
   const HalfedgeMesh& halfedges = surface->halfedges;
   const std::vector<std::uint32_t> halfedge_corners = flatten_faces(halfedges, topology);
   flatten_edges(halfedges, halfedge_corners, topology);
@@ -100,7 +101,7 @@ ControlMesh::ControlMesh(HalfedgeMesh mesh, MeshAttributes attributes) {
                           }) == topology.face_offsets.end();
   surface->is_closed = std::ranges::all_of(topology.edge_corners,
                                            [](const auto& corners) { return corners[1] != kNone; });
-  *this = ControlMesh(std::move(surface), std::move(attributes));
+  *this = ControlMesh(surface, std::move(attributes));
 }
 
 ControlMesh::ControlMesh(std::shared_ptr<const Surface> surface, MeshAttributes attributes)

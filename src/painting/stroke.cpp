@@ -13,13 +13,14 @@ bool Stroke::touch(FaceDepths& depths, std::span<const std::uint32_t> faces) {
     if (touched_[face]) {
       continue;
     }
-    touched_[face] = true;
     const int before = depths[face];
     const int after = change_(before);
     if (after != before) {
-      depths.set(face, after);
+      // In this order, since remembering it may fail.
       edits_.push_back({face, static_cast<std::uint8_t>(before), static_cast<std::uint8_t>(after)});
+      depths.set(face, after);
     }
+    touched_[face] = true;
   }
   return edits_.size() > edits_before;
 }

@@ -83,6 +83,13 @@ void draw(PanelContext& context, const ErrorDialog& dialog) {
 }
 
 void draw(PanelContext& context, const OverBudgetQuestion& question) {
+  if (question.memory > 0) {
+    title(context, "Not enough memory for " + counted(question.faces, "face"));
+    paragraph("The mesh would take " + bytes_text(question.bytes) + "; this machine has " +
+              bytes_text(question.memory) + " to spare. Lower some depths to get fewer faces.");
+    answers(context, std::array{Answer{kCancel, "OK", true}});
+    return;
+  }
   title(context, "Refine to " + counted(question.faces, "face") + "?");
   paragraph("That is more than the budget of " + grouped(question.budget) +
             ". The mesh would take " + bytes_text(question.bytes) +

@@ -180,6 +180,7 @@ struct OverBudgetQuestion {
   std::uint64_t faces = 0;
   std::uint64_t bytes = 0;
   std::uint64_t budget = 0;
+  std::uint64_t memory = 0;  ///< Where `bytes` are too many for this machine, how many are not.
 };
 
 /// Work that another run of the program left unsaved when it was killed. Answered by kRecover,

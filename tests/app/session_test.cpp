@@ -387,5 +387,49 @@ TEST_F(SessionTest, ToastsPass) {
   EXPECT_TRUE(session_.toasts().empty());
 }
 
+TEST_F(SessionTest, AFailedLoadChangesNothing) {
+  stroke({1});
+  session_.perform({kSaveProject, folder_.file("kept.limn")});
+  session_.perform({kSaveProjectAs, folder_.file("kept.limn")});
+  stroke({2});
+  stroke({3});
+  session_.perform(kUndo);
+  const Document& document = session_.document();
+  const auto control = document.control;
+  const auto revisions = document.revisions;
+  const auto before = depths();
+  test::write_file(folder_ / "bad.obj", "v 0 0 0\nf 1 2 3\n");
+  test::write_file(folder_ / "bad.limn", "{\"format\": \"limn-project\", \"version\": 99}");
+  for (const std::string& bad : {folder_.file("bad.obj"), folder_.file("bad.limn"),
+                                 folder_.file("missing.obj"), folder_.path().string()}) {
+    session_.perform({kOpen, bad});
+    session_.perform(kDiscardChanges);
+    ASSERT_NE(modal<ui::ErrorDialog>(), nullptr) << bad;
+    session_.perform(kCancel);
+    EXPECT_EQ(document.control, control);
+    EXPECT_EQ(document.revisions.control, revisions.control);
+    EXPECT_EQ(document.revisions.depths, revisions.depths);
+    EXPECT_EQ(document.project_path, folder_.file("kept.limn"));
+    EXPECT_EQ(depths(), before);
+    EXPECT_TRUE(session_.history().is_modified()) << bad;
+    EXPECT_TRUE(session_.history().can_undo());
+    EXPECT_TRUE(session_.history().can_redo());
+  }
+}
+
+TEST_F(SessionTest, WhatTheMachineCannotHoldIsRefusedWithTheNumber) {
+  session_.set_memory_budget(1000);
+  stroke({0});
+  session_.perform(kSubdivide);
+  session_.finish_refinement();
+  const auto* question = modal<ui::OverBudgetQuestion>();
+  ASSERT_NE(question, nullptr);
+  EXPECT_EQ(question->memory, 1000U);
+  EXPECT_EQ(question->faces, 24U);
+  EXPECT_GT(question->bytes, 1000U);
+  session_.perform(kCancel);
+  EXPECT_EQ(session_.refinement().refined(), nullptr);
+}
+
 }  // namespace
 }  // namespace limn::app

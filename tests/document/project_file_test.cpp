@@ -338,8 +338,7 @@ TEST_F(ProjectFile, DamagedProjectsAreRefusedOrWhole) {
       default:
         text.erase(random() % text.size(), 1 + random() % 20);
     }
-    write_file(path_, text);
-    const Result<Project> project = load_project(path_);
+    const Result<Project> project = parse_project(text, "damaged");
     if (!project) {
       ASSERT_EQ(project.error().kind, ErrorKind::kBadInput);
       ASSERT_FALSE(project.error().message.empty());

@@ -13,6 +13,7 @@
 #include "limn/mesh/bundled.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/labels.h"
+#include "support/attribute_shapes.h"
 #include "support/shapes.h"
 
 namespace limn {
@@ -161,6 +162,41 @@ TEST(DeriveRefinement, OverBudgetIsRefusedAndTheBudgetItselfIsNot) {
   EXPECT_THAT(refused.error().message, ::testing::HasSubstr("228"));
   options.face_budget = labels.prediction.faces;
   EXPECT_TRUE(derive_refinement(*cube, labels, options, progress));
+}
+
+TEST(DeriveRefinement, BytesAreForetoldToTheLastOne) {
+  test::Random random(8);
+  std::vector<test::NamedShape> shapes = test::textured_shapes();
+  shapes.push_back({"mixed", load_bundled_mesh("mixed").value().mesh});
+  shapes.push_back({"creature", load_bundled_mesh("creature").value().mesh});
+  for (const auto& [name, mesh] : shapes) {
+    for (const double painted : {0.0, 0.2, 1.0}) {
+      const auto depths = test::random_depths(*mesh, painted, 3, random);
+      const Refinement refinement = refinement_of(*mesh, depths);
+      const RefinedMesh& refined = *refinement.mesh;
+      const std::size_t sharp = refined.creases.size() * sizeof(RefinedCrease) +
+                                refined.corners.size() * sizeof(RefinedCorner);
+      EXPECT_EQ(refinement.prediction.bytes, refined.bytes() - sharp) << name;
+    }
+  }
+}
+
+TEST(DeriveRefinement, MoreMemoryThanAllowedIsRefusedBeforeAnyWork) {
+  const auto cube = test::cube();
+  const DerivedLabels labels = labels_of(*cube, std::vector<std::uint8_t>(6, 9));
+  StopAt progress(0);  // Any work would be stopped.
+  RefinementOptions options;
+  options.memory_budget = labels.prediction.bytes - 1;
+  const auto refused = derive_refinement(*cube, labels, options, progress);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kOverBudget);
+  EXPECT_THAT(refused.error().message,
+              ::testing::HasSubstr(std::to_string(labels.prediction.bytes)));
+  EXPECT_THAT(refused.error().message, ::testing::HasSubstr("1572864 faces"));
+  options.memory_budget = labels.prediction.bytes;
+  const auto stopped = derive_refinement(*cube, labels, options, progress);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, ErrorKind::kCancelled);
 }
 
 TEST(DeriveRefinement, StopsWhereverItIsTold) {

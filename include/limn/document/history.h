@@ -16,7 +16,8 @@ class History {
  public:
   explicit History(std::size_t byte_budget = std::size_t{256} << 20U) : byte_budget_(byte_budget) {}
 
-  /// Applies the command and remembers it; what could be redone is forgotten.
+  /// Applies the command and remembers it; what could be redone is forgotten. Where that throws
+  /// (std::bad_alloc), document and history are as they were; the same for the others.
   void execute(Document& document, std::unique_ptr<Command> command);
   /// Remembers a command whose effect is already in the document (a stroke painted live).
   void record(std::unique_ptr<Command> command);
@@ -40,6 +41,7 @@ class History {
   void clear() noexcept;
 
  private:
+  void settle(std::unique_ptr<Command> command) noexcept;
   void forget_redo() noexcept;
   void keep_within_budget(std::size_t kept) noexcept;
 

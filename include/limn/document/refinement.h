@@ -57,15 +57,19 @@ struct RefinementOptions {
   SubdivisionSettings settings;
   int levels = kAllLevels;  ///< 1..kAllLevels.
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
+  /// Most bytes that the refined mesh may have; see memory_budget.h.
+  std::uint64_t memory_budget = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// What `derive_refinement` will give after so many levels.
+/// What `derive_refinement` will give after so many levels. Its `bytes` are those of the refined
+/// mesh, the normals included; what is still sharp comes on top. For kLoop they are right to a few
+/// per cent.
 [[nodiscard]] RefinementPrediction predict_derived(const ControlMesh& control,
                                                    const DerivedLabels& labels, int levels);
 
 /// Predicts, refines and checks, under one progress. `labels` come from `derive_labels` with the
 /// same settings.
-/// Errors: kOverBudget (with the exact count, before any work), kCancelled.
+/// Errors: kOverBudget (with the exact count of faces or bytes, before any work), kCancelled.
 [[nodiscard]] Result<Refinement> derive_refinement(const ControlMesh& control,
                                                    const DerivedLabels& labels,
                                                    const RefinementOptions& options,

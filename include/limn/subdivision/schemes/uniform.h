@@ -17,6 +17,8 @@ namespace limn {
 struct UniformLimits {
   int levels = 1;  ///< 0..kMostSchemeLevels.
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
+  /// Most bytes that the result may have, as `scheme_bytes` (document/scheme_refinement.h) tells.
+  std::uint64_t memory_budget = std::numeric_limits<std::uint64_t>::max();
 };
 
 inline constexpr int kMostSchemeLevels = 12;
