@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "limn/mesh/mesh_format.h"
+
 namespace limn::app {
 namespace {
 
@@ -25,11 +27,11 @@ bool fits(Purpose purpose, const fs::path& file) {
   const std::string ending = lower_ending(file);
   switch (purpose) {
     case Purpose::kOpen:
-      return ending == ".obj" || ending == ".limn";
+      return ending == ".limn" || format_by_ending(file).has_value();
     case Purpose::kSaveProject:
       return ending == ".limn";
     case Purpose::kExportRefined:
-      return ending == ".obj";
+      return format_by_ending(file).has_value();
   }
   return false;
 }
@@ -94,7 +96,7 @@ fs::path with_ending(Purpose purpose, fs::path path) {
     path += purpose == Purpose::kExportRefined ? ".obj" : ".limn";
   } else if (purpose == Purpose::kSaveProject && lower_ending(path) != ".limn") {
     path += ".limn";
-  } else if (purpose == Purpose::kExportRefined && lower_ending(path) != ".obj") {
+  } else if (purpose == Purpose::kExportRefined && !format_by_ending(path)) {
     path += ".obj";
   }
   return path;

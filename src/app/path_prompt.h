@@ -8,7 +8,7 @@
 namespace limn::app {
 
 /// What a prompt for a path shows of a folder: folders first, then the files that fit the purpose
-/// (meshes and projects to open, projects to save, OBJ files to export), each in alphabetical
+/// (meshes and projects to open, projects to save, meshes to export), each in alphabetical
 /// order, hidden ones left out. A folder that cannot be read gives `problem`.
 /// `serial` is left at 0.
 [[nodiscard]] ui::PathPrompt list_folder(ui::PathPrompt::Purpose purpose,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -173,6 +174,7 @@ class Session {
   void go_on();
   void start_export(const std::filesystem::path& path);
   void finish_export();
+  [[nodiscard]] std::array<std::string, MeshFormats.size()> export_losses() const;
   void ask_for_path(ui::PathPrompt::Purpose purpose);
 
   void paint(const Selection& selection, DepthChange change, const std::string& what);

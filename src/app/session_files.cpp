@@ -193,8 +193,25 @@ void Session::ask_for_path(Purpose purpose) {
     prompt.suggested_name = stem_of(document_) + ".limn";
   } else if (purpose == Purpose::kExportRefined) {
     prompt.suggested_name = stem_of(document_) + "-refined.obj";
+    prompt.losses = export_losses();
   }
   modal_ = std::move(prompt);
+}
+
+/// Of the refined mesh, or of the control mesh where that is not to be had at once or so large that
+/// one would wait for the answer.
+std::array<std::string, MeshFormats.size()> Session::export_losses() const {
+  constexpr std::size_t most_vertices = 200'000;
+  const ExportSettings settings = export_settings(document_);
+  const auto* refined = refinement_.is_up_to_date() ? refinement_.refined() : nullptr;
+  const bool is_refined = refined != nullptr && refined->mesh->vertex_count() <= most_vertices;
+  std::array<std::string, MeshFormats.size()> losses;
+  for (const MeshFormat format : MeshFormats) {
+    losses[static_cast<std::size_t>(format)] =
+        loss_sentence(format, is_refined ? lost_in(format, *refined->mesh, settings)
+                                         : lost_in(format, *document_.control, settings));
+  }
+  return losses;
 }
 
 std::optional<fs::path> Session::take_screenshot_request() {

@@ -12,7 +12,8 @@ constexpr ValueKind kNothing = ValueKind::kNone;
 
 constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kOpen, kFile, ValueKind::kPathOrAsk, "Open…",
-     "Open a mesh (OBJ) or a Limn project. The mesh that is open stays if the file is bad."},
+     "Open a mesh (OBJ, PLY, OFF or STL) or a Limn project. The mesh that is open stays if the "
+     "file is bad."},
     {kOpenBundled, kFile, ValueKind::kText, "Open bundled mesh",
      "Open one of the control meshes that come with Limn."},
     {kSaveProject, kFile, kNothing, "Save project",
@@ -20,7 +21,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kSaveProjectAs, kFile, ValueKind::kPathOrAsk, "Save project as…",
      "Save the project under another name."},
     {kExportRefined, kFile, ValueKind::kPathOrAsk, "Export mesh…",
-     "Write the refined mesh to an OBJ file. The painted depths go along as material groups."},
+     "Write the refined mesh to an OBJ, PLY, OFF or STL file. The painted depths go along where "
+     "the "
+     "format holds them."},
     {kScreenshot, kFile, kNothing, "Take screenshot", "Save a picture of the window as PNG."},
     {kQuit, kFile, kNothing, "Quit", "Leave Limn. It asks before unsaved changes are lost."},
 

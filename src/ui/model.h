@@ -13,6 +13,7 @@
 #include "limn/document/scheme_refinement.h"
 #include "limn/document/view_state.h"
 #include "limn/error.h"
+#include "limn/mesh/mesh_format.h"
 #include "limn/painting/crease_palette.h"
 #include "limn/painting/valence_palette.h"
 #include "limn/subdivision/settings.h"
@@ -217,7 +218,10 @@ struct PathPrompt {
   std::string parent;        ///< Absolute; empty at the root.
   std::vector<FolderEntry> entries;
   std::string suggested_name;  ///< "creature.limn"; empty for kOpen.
-  std::string problem;         ///< Why the folder could not be listed; empty if it could.
+  /// What a file of each format would not hold of the mesh that is exported, as a sentence; empty
+  /// where nothing is lost.
+  std::array<std::string, MeshFormats.size()> losses;
+  std::string problem;  ///< Why the folder could not be listed; empty if it could.
 };
 
 /// What stands before everything else and wants an answer. One at a time.

@@ -9,6 +9,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "limn/mesh/mesh_format.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -20,7 +21,7 @@ struct PurposeLook {
   const char* title;
   const char* verb;
   ActionId answer;
-  std::string_view ending;  ///< Added to a name that has another one; empty for none.
+  std::string_view ending;  ///< Added to a name that has none that fits; empty for none.
 };
 
 PurposeLook look_of(PathPrompt::Purpose purpose) {
@@ -30,7 +31,7 @@ PurposeLook look_of(PathPrompt::Purpose purpose) {
     case PathPrompt::Purpose::kSaveProject:
       return {"Save project", "Save", ActionId::kSaveProjectAs, ".limn"};
     case PathPrompt::Purpose::kExportRefined:
-      return {"Export mesh as OBJ", "Export", ActionId::kExportRefined, ".obj"};
+      return {"Export mesh", "Export", ActionId::kExportRefined, ".obj"};
   }
   return {};
 }
@@ -42,8 +43,13 @@ std::string joined(const std::string& folder, const std::string& name) {
   return folder.ends_with('/') ? folder + name : folder + '/' + name;
 }
 
-std::string with_ending(std::string name, std::string_view ending) {
-  if (!ending.empty() && !name.empty() && !name.ends_with(ending)) {
+/// Meshes are exported in the format that the name asks for.
+std::string with_ending(PathPrompt::Purpose purpose, std::string name) {
+  const std::string_view ending = look_of(purpose).ending;
+  const bool fits = purpose == PathPrompt::Purpose::kExportRefined
+                        ? format_by_ending(name).has_value()
+                        : name.ends_with(ending);
+  if (!name.empty() && !fits) {
     name += ending;
   }
   return name;
@@ -73,7 +79,7 @@ void answer(PanelContext& context, const PathPrompt& prompt) {
     context.emit(Action(ActionId::kBrowse, joined(prompt.folder, typed)));
     context.state.path_prompt.name = prompt.suggested_name;
   } else if (!typed.empty()) {
-    context.emit(Action(look.answer, joined(prompt.folder, with_ending(typed, look.ending))));
+    context.emit(Action(look.answer, joined(prompt.folder, with_ending(prompt.purpose, typed))));
   }
 }
 
@@ -151,6 +157,11 @@ void entry_list(PanelContext& context, const PathPrompt& prompt, float height) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y);
 }
 
+/// Room for two lines, so that nothing jumps.
+float loss_height() {
+  return 2.0F * ImGui::GetTextLineHeightWithSpacing();
+}
+
 void name_row(PanelContext& context, const PathPrompt& prompt) {
   UiState::PathPromptState& state = context.state.path_prompt;
   ImGui::AlignTextToFramePadding();
@@ -169,10 +180,39 @@ void name_row(PanelContext& context, const PathPrompt& prompt) {
   remember(context, "name field");
 }
 
+/// The formats to export in, and what the one that the name asks for does not hold.
+void format_rows(PanelContext& context, const PathPrompt& prompt) {
+  std::string& name = context.state.path_prompt.name;
+  const MeshFormat chosen = format_by_ending(name).value_or(MeshFormat::kObj);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
+  ImGui::TextUnformatted("Format");
+  ImGui::PopStyleColor();
+  for (const MeshFormat format : MeshFormats) {
+    ImGui::SameLine(0.0F, context.px(12));
+    const std::string label(name_of(format));
+    if (ImGui::RadioButton(label.c_str(), format == chosen)) {
+      if (format_by_ending(name)) {
+        name.resize(name.size() - ending_of(chosen).size());
+      }
+      name += ending_of(format);
+    }
+    remember(context, "format: " + label);
+  }
+  const std::string& loss = prompt.losses[static_cast<std::size_t>(chosen)];
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
+  ImGui::BeginChild("##loss", {0.0F, loss_height()});
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(loss.empty() ? "Everything the mesh has goes with it." : loss.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
 /// Cancel and the answer. The answer says where it would replace a file.
 void buttons(PanelContext& context, const PathPrompt& prompt) {
   const PurposeLook look = look_of(prompt.purpose);
-  const std::string name = with_ending(context.state.path_prompt.name, look.ending);
+  const std::string name = with_ending(prompt.purpose, context.state.path_prompt.name);
   const FolderEntry* entry = find_entry(prompt, name);
   const bool replaces = prompt.purpose != PathPrompt::Purpose::kOpen && entry != nullptr;
   const float width = context.px(110);
@@ -196,9 +236,14 @@ void draw_path_prompt(PanelContext& context, const PathPrompt& prompt) {
   ImGui::PopFont();
   folder_row(context, prompt);
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
-  const float foot = ImGui::GetFrameHeight() + context.px(28) + 2.0F * spacing;
+  float foot = ImGui::GetFrameHeight() + context.px(28) + 2.0F * spacing;
+  const bool has_formats = prompt.purpose == PathPrompt::Purpose::kExportRefined;
+  foot += has_formats ? ImGui::GetFrameHeight() + loss_height() + 2.0F * spacing : 0.0F;
   entry_list(context, prompt, ImGui::GetContentRegionAvail().y - foot);
   name_row(context, prompt);
+  if (has_formats) {
+    format_rows(context, prompt);
+  }
   buttons(context, prompt);
 }
 

@@ -65,6 +65,8 @@ TEST_F(PathPromptTest, EndingsAreAdded) {
   EXPECT_EQ(with_ending(Purpose::kSaveProject, "/a/b.v2"), "/a/b.v2.limn");
   EXPECT_EQ(with_ending(Purpose::kExportRefined, "/a/b"), "/a/b.obj");
   EXPECT_EQ(with_ending(Purpose::kExportRefined, "/a/b.OBJ"), "/a/b.OBJ");
+  EXPECT_EQ(with_ending(Purpose::kExportRefined, "/a/b.Ply"), "/a/b.Ply");
+  EXPECT_EQ(with_ending(Purpose::kExportRefined, "/a/b.v2"), "/a/b.v2.obj");
 }
 
 }  // namespace

@@ -130,6 +130,22 @@ TEST(PathPromptDialog, TheSuggestedNameIsReplacedByTyping) {
               ElementsAre(Action(ActionId::kExportRefined, std::string("/home/anna/xyz.obj"))));
 }
 
+TEST(PathPromptDialog, AFormatChangesTheEnding) {
+  Screen screen;
+  PathPrompt prompt = prompt_to(PathPrompt::Purpose::kExportRefined, "cube.v2");
+  prompt.losses[static_cast<std::size_t>(MeshFormat::kStl)] = "STL files do not hold: 3 creases.";
+  screen.model.modal = prompt;
+  screen.settle();
+  const auto answer = [&](const char* format) {
+    screen.click(std::string("format: ") + format);
+    screen.click("Export");
+    return std::get<std::string>(screen.take_actions().at(0).value);
+  };
+  EXPECT_EQ(answer("STL"), "/home/anna/cube.v2.stl");
+  EXPECT_EQ(answer("PLY"), "/home/anna/cube.v2.ply");
+  EXPECT_EQ(answer("OBJ"), "/home/anna/cube.v2.obj");
+}
+
 TEST(PathPromptDialog, TheButtonSaysWhenItWouldReplaceAFile) {
   Screen screen;
   screen.model.modal = prompt_to(PathPrompt::Purpose::kSaveProject, "cube.limn");

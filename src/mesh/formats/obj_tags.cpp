@@ -36,7 +36,11 @@ struct Tag {
   std::vector<std::string_view> strings;
 };
 
-constexpr TagReading Used{true, {}, {}, {}};
+TagReading used() {
+  TagReading reading;
+  reading.is_used = true;
+  return reading;
+}
 
 TagReading refused(std::string message, std::uint32_t line = 0) {
   return {false, std::move(message), line, {}};
@@ -101,7 +105,7 @@ TagReading read_words(TextCursor& words, Tag& tag) {
                     counts->integers, counts->numbers, counts->strings, found,
                     found == 1 ? "word follows" : "words follow"));
   }
-  return Used;
+  return used();
 }
 
 /// A vertex that no mesh has, for an index that is out of every range.
@@ -122,7 +126,7 @@ TagReading read_crease(const Tag& tag, PolygonSoup& soup) {
     soup.creases.push_back(
         {{vertex_of(tag.integers[i]), vertex_of(tag.integers[i + 1])}, sharpness});
   }
-  return Used;
+  return used();
 }
 
 TagReading read_corner(const Tag& tag, PolygonSoup& soup) {
@@ -135,7 +139,7 @@ TagReading read_corner(const Tag& tag, PolygonSoup& soup) {
   for (std::size_t i = 0; i < n; ++i) {
     soup.corners.push_back({vertex_of(tag.integers[i]), tag.numbers[s == 1 ? 0 : i]});
   }
-  return Used;
+  return used();
 }
 
 /// Of its three values 0 leaves the faces at the boundary out, which Limn does not.
@@ -147,10 +151,10 @@ TagReading read_boundary_rule(const Tag& tag, PolygonSoup& soup) {
   switch (tag.integers.front()) {
     case 1:
       soup.corner_rule = CornerRule::kSharp;
-      return Used;
+      return used();
     case 2:
       soup.corner_rule = CornerRule::kSmooth;
-      return Used;
+      return used();
     default:
       return {};
   }
@@ -168,7 +172,7 @@ TagReading read_crease_method(const Tag& tag, PolygonSoup& soup) {
   } else {
     return {};
   }
-  return Used;
+  return used();
 }
 
 TagReading read_depth(const Tag& tag) {
@@ -176,7 +180,7 @@ TagReading read_depth(const Tag& tag) {
   if (tag.integers.size() != 1 || tag.integers.front() < 0 || tag.integers.front() > most) {
     return refused("A depth is one integer from 0 on.");
   }
-  TagReading reading = Used;
+  TagReading reading = used();
   reading.depth = static_cast<std::uint32_t>(tag.integers.front());
   return reading;
 }
