@@ -76,15 +76,14 @@ std::vector<float> edge_sharpness(std::span<const CreaseTag> tags, const FaceArr
   for (const CreaseTag& tag : tags) {
     const auto ends = rising(tag.vertices[0], tag.vertices[1]);
     // Several edges of the same ends are one edge of the file that was cut.
-    const auto found = std::ranges::equal_range(named, ends, {}, &NamedEdge::ends);
-    if (found.empty()) {
+    const auto first = std::ranges::lower_bound(named, ends, {}, &NamedEdge::ends);
+    const auto last = std::ranges::upper_bound(named, ends, {}, &NamedEdge::ends);
+    if (first == last) {
       report.add(MendKind::kLostCrease);
       continue;
     }
     const float value = checked(tag.sharpness, report);
-    for (const NamedEdge& named_edge : found) {
-      sharpness[named_edge.edge] = value;
-    }
+    std::for_each(first, last, [&](const NamedEdge& at) { sharpness[at.edge] = value; });
   }
   return without_zeros_alone(std::move(sharpness));
 }

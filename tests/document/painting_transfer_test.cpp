@@ -60,7 +60,8 @@ Shuffled shuffled(const ControlMesh& mesh, Rounding rounding, test::Random& rand
     for (std::uint32_t& corner : corners) {
       corner = result.vertices[corner];
     }
-    std::ranges::rotate(corners, corners.begin() + random() % corners.size());
+    const auto first = static_cast<long>(random() % corners.size());
+    std::rotate(corners.begin(), corners.begin() + first, corners.end());
     soup.add_face(corners);
   }
   result.mesh = test::control_mesh(soup);

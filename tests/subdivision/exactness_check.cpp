@@ -116,7 +116,7 @@ std::optional<Matching> matched(const std::vector<glm::dvec3>& points,
 using FaceRecord = std::tuple<std::vector<std::uint32_t>, int, std::uint32_t>;
 
 FaceRecord face_record(std::vector<std::uint32_t> vertices, int level, std::uint32_t control) {
-  std::ranges::rotate(vertices, std::ranges::min_element(vertices));
+  std::rotate(vertices.begin(), std::ranges::min_element(vertices), vertices.end());
   return {std::move(vertices), level, control};
 }
 

@@ -124,10 +124,12 @@ class LimitReference {
 /// The same ring of an interior vertex, counted from edge `first` on.
 VertexRing turned(const VertexRing& ring, std::size_t first) {
   VertexRing result = ring;
-  std::ranges::rotate(result.edges(), result.edges().begin() + static_cast<long>(first));
-  std::ranges::rotate(result.centroids(), result.centroids().begin() + static_cast<long>(first));
-  std::ranges::rotate(result.edge_sharpness(),
-                      result.edge_sharpness().begin() + static_cast<long>(first));
+  const auto turn = [first](auto values) {
+    std::rotate(values.begin(), values.begin() + static_cast<long>(first), values.end());
+  };
+  turn(result.edges());
+  turn(result.centroids());
+  turn(result.edge_sharpness());
   return result;
 }
 
