@@ -16,16 +16,16 @@ std::uint64_t obj_index(std::uint32_t i) {
 }
 
 /// A name in such a form that it is read as it is written: words with single blanks between them,
-/// none of which looks like a comment or the end of a line.
+/// none of which looks like a comment, the end of a line or binary data. All other bytes stay.
 std::string obj_name(std::string_view name) {
   std::string written;
   for (const char c : name) {
-    const bool is_space = is_blank(c) || static_cast<unsigned char>(c) < 0x20;
+    const bool is_space = is_blank(c) || c == '\n' || c == '\r';
     const bool begins_word = written.empty() || written.back() == ' ';
     if (is_space && begins_word) {
       continue;
     }
-    written += is_space ? ' ' : c == '#' && begins_word ? '_' : c;
+    written += is_space ? ' ' : c == '\0' || (c == '#' && begins_word) ? '_' : c;
   }
   while (written.ends_with(' ')) {
     written.pop_back();
