@@ -28,6 +28,8 @@ bool fits(Purpose purpose, const fs::path& file) {
   switch (purpose) {
     case Purpose::kOpen:
       return ending == ".limn" || format_by_ending(file).has_value();
+    case Purpose::kReplaceMesh:
+      return ending != ".limn" && fits(Purpose::kOpen, file);
     case Purpose::kSaveProject:
       return ending == ".limn";
     case Purpose::kExportRefined:

@@ -169,6 +169,7 @@ class Session {
   [[nodiscard]] bool may_lose_changes(const ui::Action& action, std::string next);
   void open(const std::string& name);
   void save(const std::filesystem::path& path);
+  void replace_mesh(const std::filesystem::path& path);
   /// Among the recent files, and its folder as the one to look in next.
   void remember_file(const std::filesystem::path& path);
   void go_on();

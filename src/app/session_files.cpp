@@ -10,9 +10,11 @@
 #include "app/preferences.h"
 #include "app/session.h"
 #include "app/user_folders.h"
+#include "limn/document/commands.h"
 #include "limn/document/export_settings.h"
 #include "limn/document/open.h"
 #include "limn/mesh/export.h"
+#include "limn/mesh/import.h"
 
 namespace limn::app {
 
@@ -77,6 +79,13 @@ bool Session::perform_file(const ui::Action& action) {
         start_export(with_ending(Purpose::kExportRefined, *path));
       }
       return true;
+    case kReplaceMesh:
+      if (path == nullptr) {
+        ask_for_path(Purpose::kReplaceMesh);
+      } else {
+        replace_mesh(*path);
+      }
+      return true;
     case kScreenshot:
       screenshot_path_ =
           numbered_file(pictures_folder(), fmt::format("limn-{}", stem_of(document_)), ".png");
@@ -121,6 +130,29 @@ void Session::open(const std::string& name) {
     return;
   }
   show(std::move(*project));
+}
+
+void Session::replace_mesh(const fs::path& path) {
+  modal_ = std::monostate{};
+  end_stroke();
+  auto mesh = import_mesh(path);
+  if (!mesh) {
+    show_error("Cannot take up " + path.filename().string(), std::move(mesh.error()));
+    return;
+  }
+  PaintingTransfer transfer =
+      transfer_painting(*document_.control, document_.depths.values(), mesh->mesh);
+  const std::size_t faces = transfer.depths.size();
+  std::string text =
+      fmt::format("{} of {} faces found again", faces - transfer.new_faces.size(), faces);
+  text += transfer.matching == FaceMatching::kOrder ? " by their numbers." : ".";
+  if (const std::size_t lost = transfer.lost_faces.size(); lost > 0) {
+    text += fmt::format(" {} painted face{} gone.", lost, lost == 1 ? " is" : "s are");
+  }
+  const bool is_whole = transfer.new_faces.empty() && transfer.lost_faces.empty();
+  execute(reattach_command(std::move(transfer)));
+  document_.mesh_path = path;
+  toast(is_whole ? Kind::kDone : Kind::kNote, std::move(text));
 }
 
 void Session::remember_file(const fs::path& path) {

@@ -61,6 +61,8 @@ int run(int argc, char** argv) {
   add_compare_command(program, work);
   add_symmetrise_command(program, work);
   add_split_and_flip_command(program, work);
+  add_reattach_command(program, work);
+  add_recover_command(program, work);
   add_classroom_command(program, work);
 
   try {

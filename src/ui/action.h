@@ -21,6 +21,7 @@ enum class ActionId : std::uint8_t {
   kSaveProject,    ///< To the document's project path; asks where there is none.
   kSaveProjectAs,  ///< std::string path; without: ask.
   kExportRefined,  ///< std::string path of the OBJ file to write; without: ask.
+  kReplaceMesh,    ///< std::string path of a mesh that takes up the painting; without: ask.
   kScreenshot,
   kQuit,
 

@@ -24,6 +24,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Write the refined mesh to an OBJ, PLY, OFF or STL file. The painted depths go along where "
      "the "
      "format holds them."},
+    {kReplaceMesh, kFile, ValueKind::kPathOrAsk, "Replace mesh…",
+     "Carry painting and creases over to another version of the mesh, as another program wrote it: "
+     "faces are found again by their vertices. Can be undone."},
     {kScreenshot, kFile, kNothing, "Take screenshot", "Save a picture of the window as PNG."},
     {kQuit, kFile, kNothing, "Quit", "Leave Limn. It asks before unsaved changes are lost."},
 

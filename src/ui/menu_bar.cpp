@@ -45,7 +45,7 @@ void file_menu(PanelContext& context) {
   }
   ImGui::EndDisabled();
   ImGui::Separator();
-  items(context, {kSaveProject, kSaveProjectAs, kExportRefined, kScreenshot});
+  items(context, {kSaveProject, kSaveProjectAs, kExportRefined, kReplaceMesh, kScreenshot});
   ImGui::Separator();
   items(context, {kQuit});
   ImGui::EndMenu();

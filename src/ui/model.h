@@ -211,7 +211,7 @@ struct FolderEntry {
 /// Asks for a path. The program lists folders (folders first, then files that fit the purpose); a
 /// kBrowse action makes it list another one. Answered by the action of the purpose with the path.
 struct PathPrompt {
-  enum class Purpose : std::uint8_t { kOpen, kSaveProject, kExportRefined };
+  enum class Purpose : std::uint8_t { kOpen, kSaveProject, kExportRefined, kReplaceMesh };
   Purpose purpose = Purpose::kOpen;
   std::uint64_t serial = 0;  ///< Another number for every prompt: resets the text field.
   std::string folder;        ///< Absolute, as shown; ends without a separator.

@@ -28,6 +28,8 @@ PurposeLook look_of(PathPrompt::Purpose purpose) {
   switch (purpose) {
     case PathPrompt::Purpose::kOpen:
       return {"Open a mesh or project", "Open", ActionId::kOpen, {}};
+    case PathPrompt::Purpose::kReplaceMesh:
+      return {"Replace the mesh under the painting", "Replace", ActionId::kReplaceMesh, {}};
     case PathPrompt::Purpose::kSaveProject:
       return {"Save project", "Save", ActionId::kSaveProjectAs, ".limn"};
     case PathPrompt::Purpose::kExportRefined:

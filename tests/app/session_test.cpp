@@ -387,6 +387,21 @@ TEST_F(SessionTest, ToastsPass) {
   EXPECT_TRUE(session_.toasts().empty());
 }
 
+TEST_F(SessionTest, ReplacingTheMeshKeepsThePainting) {
+  stroke({0, 5});
+  test::write_file(folder_ / "three.obj",
+                   "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n");
+  session_.perform({kReplaceMesh, folder_.file("missing.obj")});
+  EXPECT_NE(modal<ui::ErrorDialog>(), nullptr);
+  session_.perform(kCancel);
+  EXPECT_EQ(session_.document().control->face_count(), 6U);
+  session_.perform({kReplaceMesh, folder_.file("three.obj")});
+  EXPECT_EQ(session_.document().control->face_count(), 1U);
+  EXPECT_THAT(last_toast(), HasSubstr("gone"));
+  session_.perform(kUndo);
+  EXPECT_EQ(depths(), (std::vector<int>{1, 0, 0, 0, 0, 1}));
+}
+
 TEST_F(SessionTest, AFailedLoadChangesNothing) {
   stroke({1});
   session_.perform({kSaveProject, folder_.file("kept.limn")});
