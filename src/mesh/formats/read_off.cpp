@@ -37,6 +37,7 @@ class OffText {
  private:
   bool read_counts(std::string_view first_count);
   bool read_count(std::string_view word, std::string_view what, std::uint64_t& count);
+  bool is_at_line_end() const;
   bool has_line_for_each() const;
   bool read_vertex();
   bool read_vertex_data();
@@ -61,7 +62,7 @@ Result<PolygonSoup> OffText::read(std::string_view first_count) {
   if (!read_counts(first_count)) {
     return refusal();
   }
-  are_lines_ = has_line_for_each();
+  are_lines_ = is_at_line_end() && has_line_for_each();
   soup_.positions.reserve(vertices_);
   while (soup_.positions.size() < vertices_) {
     if (!read_vertex()) {
@@ -126,6 +127,11 @@ bool OffText::read_counts(std::string_view first_count) {
   return true;
 }
 
+bool OffText::is_at_line_end() const {
+  TextCursor probe = cursor_;
+  return probe.next_word().empty();
+}
+
 bool OffText::has_line_for_each() const {
   TextCursor probe = cursor_;
   std::uint64_t lines = 0;
@@ -180,6 +186,10 @@ bool OffText::read_vertex_data() {
   if (count < normal + uv) {
     return refuse(fmt::format("Vertex {} has {} after its coordinates; the header announces {}.",
                               soup_.positions.size(), counted(count, "number"), normal + uv));
+  }
+  if (const std::size_t colour = count - normal - uv; colour == 1 || colour == 2) {
+    return refuse(fmt::format("Vertex {} has {} more than a vertex, and not enough for a colour.",
+                              soup_.positions.size(), counted(colour, "number")));
   }
   unused_.add(normal / 3, "normal");
   unused_.add(count > normal + uv ? 1 : 0, "vertex colour");
