@@ -47,7 +47,8 @@ class RecoveryTest : public testing::Test {
     now_ += seconds;
     session.update(now_);
     session.finish_refinement();
-    session.update(now_);
+    session.finish_autosave();
+    session.update(now_);  // What had to wait for another copy comes now.
     session.finish_autosave();
   }
   [[nodiscard]] std::vector<fs::path> copies() const {
