@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include <glad/gl.h>
 #include <imgui.h>
@@ -11,6 +14,7 @@
 #include "app/fonts.h"
 #include "app/status_file.h"
 #include "app/user_folders.h"
+#include "render/environment_error.h"
 #include "render/png.h"
 
 namespace limn::app {
@@ -40,18 +44,20 @@ class ScenePicker final : public ViewportPicker {
 }  // namespace
 
 Application::Application(const Preferences& preferences, Project project)
-    : window_(
-          {.title = "Limn", .size = preferences.window, .is_maximised = preferences.is_maximised}),
+    : window_(std::make_unique<Window>(WindowSettings{
+          .title = "Limn", .size = preferences.window, .is_maximised = preferences.is_maximised})),
       gui_(load_fonts(), scale()),
+      imgui_renderer_(std::make_unique<ImguiRenderer>()),
+      scene_(std::make_unique<ViewportScene>()),
       session_({[] { Window::post_wake(); },
                 [this]() -> Result<std::vector<std::uint32_t>> {
                   sync_scene();
-                  return scene_.visible_faces(session_, place_.size);
+                  return scene_->visible_faces(session_, place_.size);
                 },
                 recovery_folder()}) {
   gui_.set_layout(preferences.layout);
-  gui_.set_clipboard([this] { return window_.clipboard(); },
-                     [this](const std::string& text) { window_.set_clipboard(text); });
+  gui_.set_clipboard([this] { return window_->clipboard(); },
+                     [this](const std::string& text) { window_->set_clipboard(text); });
   session_.restore(preferences.display, preferences.keymap, preferences.brush_radius,
                    preferences.dihedral_threshold);
   session_.set_crease_sharpness(preferences.crease_sharpness);
@@ -61,25 +67,57 @@ Application::Application(const Preferences& preferences, Project project)
 }
 
 ui::Scale Application::scale() const {
-  const double density = window_.density();
-  return {window_.content_scale() / density, density};
+  const double density = window_->density();
+  return {window_->content_scale() / density, density};
 }
 
 void Application::run() {
   while (!session_.wants_to_quit()) {
     wait();
-    if (take_news() && !window_.framebuffer_size().is_empty()) {
-      frame();
+    try {
+      if (take_news() && !window_->framebuffer_size().is_empty()) {
+        frame();
+      }
+      if (window_->is_context_lost()) {
+        rebuild_graphics("The graphics driver was reset. Everything drawn was built anew.");
+      }
+    } catch (const render::OutOfVideoMemory& error) {
+      rebuild_graphics(std::string(error.what()) +
+                       " The control mesh is shown instead: lower some depths, or close other "
+                       "windows.");
+      scene_->leave_out_refined(session_);
     }
-    if (!status_file_.empty() && !needs_another_frame_ && !window_.input().has_pending()) {
+    if (!status_file_.empty() && !needs_another_frame_ && !window_->input().has_pending()) {
       write_status();
     }
   }
 }
 
+void Application::rebuild_graphics(std::string reason) {
+  constexpr double soon = 5.0;
+  constexpr int most = 3;
+  const double now = Window::now();
+  rebuilds_ = now - rebuilt_at_ < soon ? rebuilds_ + 1 : 1;
+  if (rebuilds_ > most) {
+    throw render::EnvironmentError(reason + " It happens again and again.");
+  }
+  const Preferences seen = preferences();
+  // What belongs to a context goes before it does.
+  scene_.reset();
+  imgui_renderer_.reset();
+  window_.reset();
+  window_ = std::make_unique<Window>(
+      WindowSettings{.title = "Limn", .size = seen.window, .is_maximised = seen.is_maximised});
+  imgui_renderer_ = std::make_unique<ImguiRenderer>();
+  scene_ = std::make_unique<ViewportScene>();
+  rebuilt_at_ = Window::now();
+  needs_another_frame_ = true;
+  toast(ui::Toast::Kind::kProblem, std::move(reason));
+}
+
 void Application::wait() {
-  if (needs_another_frame_ || window_.input().has_pending()) {
-    window_.poll_events();
+  if (needs_another_frame_ || window_->input().has_pending()) {
+    window_->poll_events();
     return;
   }
   double seconds = session_.next_update() - Window::now();
@@ -87,34 +125,34 @@ void Application::wait() {
     seconds = std::min(seconds, kCaretBlinkSeconds);
   }
   if (seconds <= 0.0) {
-    window_.poll_events();
+    window_->poll_events();
   } else {
-    window_.wait_events(std::isfinite(seconds) ? seconds : -1.0);
+    window_->wait_events(std::isfinite(seconds) ? seconds : -1.0);
   }
 }
 
 bool Application::take_news() {
-  for (const std::filesystem::path& file : window_.take_dropped_files()) {
+  for (const std::filesystem::path& file : window_->take_dropped_files()) {
     session_.perform({ui::ActionId::kOpen, file.string()});
   }
-  if (window_.take_close_request()) {
+  if (window_->take_close_request()) {
     session_.perform(ui::ActionId::kQuit);
   }
-  if (window_.take_moved_under_alt()) {
+  if (window_->take_moved_under_alt()) {
     toast(ui::Toast::Kind::kNote,
           "The window system keeps Alt and drag for itself. Orbit with the middle button, or with "
           "the orbit tool (V).");
   }
   bool is_news = session_.update(Window::now());
-  is_news |= window_.take_damage();
+  is_news |= window_->take_damage();
   is_news |= std::exchange(needs_another_frame_, false);
-  is_news |= window_.input().has_pending();
+  is_news |= window_->input().has_pending();
   is_news |= wants_text_ && Window::now() - last_frame_ >= kCaretBlinkSeconds;
   return is_news;
 }
 
 ViewportPlace Application::place_of(const ui::WindowRect& viewport) const {
-  const double density = window_.density();
+  const double density = window_->density();
   const ui::ViewportHalves halves = ui::viewport_halves(viewport, session_.is_split());
   const ui::WindowRect& first = halves.first;
   ViewportPlace place{first,
@@ -128,14 +166,14 @@ ViewportPlace Application::place_of(const ui::WindowRect& viewport) const {
 
 void Application::frame() {
   gui_.set_scale(scale());
-  imgui_renderer_.set_atlas(gui_.atlas(), gui_.atlas_revision());
+  imgui_renderer_->set_atlas(gui_.atlas(), gui_.atlas_revision());
 
-  const ui::InputFrame input = window_.input().next_frame();
+  const ui::InputFrame input = window_->input().next_frame();
   ui::Model model = session_.model();
   const double now = Window::now();
   model.frame_seconds = now - last_frame_;
   last_frame_ = now;
-  const ui::GuiFrame gui = gui_.frame(model, input, window_.size());
+  const ui::GuiFrame gui = gui_.frame(model, input, window_->size());
 
   place_ = place_of(gui.viewport);
   const auto before = session_.document().revisions;
@@ -145,18 +183,18 @@ void Application::frame() {
   place_ = place_of(gui.viewport);  // It may have been split.
   session_.set_aspect(place_.size.aspect());
   sync_scene();
-  ScenePicker picker(scene_, session_, place_.size);
+  ScenePicker picker(*scene_, session_, place_.size);
   controller_.update(gui.viewport_input, place_, session_, picker);
   sync_scene();
 
   draw(place_);
-  window_.set_title(session_.title());
-  window_.set_cursor(gui.cursor);
+  window_->set_title(session_.title());
+  window_->set_cursor(gui.cursor);
   if (const auto path = session_.take_screenshot_request()) {
     take_screenshot(*path);
     needs_another_frame_ = true;
   }
-  window_.swap_buffers();
+  window_->swap_buffers();
 
   // The panels have shown the state before these actions.
   const auto& after = session_.document().revisions;
@@ -167,7 +205,7 @@ void Application::frame() {
 }
 
 void Application::sync_scene() {
-  if (const auto synced = scene_.sync(session_); !synced) {
+  if (const auto synced = scene_->sync(session_); !synced) {
     if (sync_problem_ != synced.error().message) {
       sync_problem_ = synced.error().message;
       toast(ui::Toast::Kind::kProblem, sync_problem_);
@@ -176,11 +214,11 @@ void Application::sync_scene() {
 }
 
 void Application::draw(const ViewportPlace& place) {
-  const render::FramebufferSize framebuffer = window_.framebuffer_size();
+  const render::FramebufferSize framebuffer = window_->framebuffer_size();
   const ui::Scale scale = this->scale();
-  scene_.draw(session_, place.size,
-              {controller_.ring(), controller_.highlighted(), session_.hover_edge(),
-               scale.interface * scale.density});
+  scene_->draw(session_, place.size,
+               {controller_.ring(), controller_.highlighted(), session_.hover_edge(),
+                scale.interface * scale.density});
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, framebuffer.width, framebuffer.height);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
@@ -190,15 +228,15 @@ void Application::draw(const ViewportPlace& place) {
     const auto top = static_cast<int>(std::lround(upper_left.y * scale.density));
     return glm::ivec2(left, framebuffer.height - top - place.size.height);
   };
-  scene_.present(lower_left(place.rect.origin));
+  scene_->present(lower_left(place.rect.origin));
   if (place.second) {
-    scene_.present_second(lower_left(*place.second));
+    scene_->present_second(lower_left(*place.second));
   }
-  imgui_renderer_.draw(gui_.draw_data());
+  imgui_renderer_->draw(gui_.draw_data());
 }
 
 void Application::take_screenshot(const std::filesystem::path& path) {
-  const render::FramebufferSize size = window_.framebuffer_size();
+  const render::FramebufferSize size = window_->framebuffer_size();
   render::Image image({size.width, size.height});
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glReadBuffer(GL_BACK);
@@ -215,7 +253,7 @@ void Application::take_screenshot(const std::filesystem::path& path) {
 
 void Application::write_status() const {
   const Result<void> written = write_status_file(
-      status_file_, {session_, gui_.items(), place_, window_.size(), window_.framebuffer_size(),
+      status_file_, {session_, gui_.items(), place_, window_->size(), window_->framebuffer_size(),
                      ViewportScene::camera(session_, place_.size)});
   static_cast<void>(written);
 }
@@ -230,9 +268,9 @@ Preferences Application::preferences() const {
   all.face_budget = session_.refinement().face_budget();
   all.layout = gui_.layout();
   const double interface = scale().interface;
-  const ui::WindowSize size = window_.size();
+  const ui::WindowSize size = window_->size();
   all.window = {std::round(size.width / interface), std::round(size.height / interface)};
-  all.is_maximised = window_.is_maximised();
+  all.is_maximised = window_->is_maximised();
   all.recent_files = session_.recent_files();
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,14 +46,17 @@ class Application {
   void take_screenshot(const std::filesystem::path& path);
   void write_status() const;
   void sync_scene();
+  /// Opens the window again, with everything that is drawn from what the session has, and says why.
+  /// Throws render::EnvironmentError where that happens again and again.
+  void rebuild_graphics(std::string reason);
   [[nodiscard]] ui::Scale scale() const;
   [[nodiscard]] ViewportPlace place_of(const ui::WindowRect& viewport) const;
 
   // In this order: the session's thread wakes the window, and everything drawn needs its context.
-  Window window_;
+  std::unique_ptr<Window> window_;
   ui::Gui gui_;
-  ImguiRenderer imgui_renderer_;
-  ViewportScene scene_;
+  std::unique_ptr<ImguiRenderer> imgui_renderer_;
+  std::unique_ptr<ViewportScene> scene_;
   ViewportController controller_;
   Session session_;
 
@@ -60,6 +64,8 @@ class Application {
   double last_frame_ = 0.0;  ///< When it was, in seconds.
   bool needs_another_frame_ = true;
   bool wants_text_ = false;
+  double rebuilt_at_ = 0.0;   ///< When the graphics were built anew, in seconds,
+  int rebuilds_ = 0;          ///< and how often within a short time.
   std::string sync_problem_;  ///< Said once.
   std::filesystem::path status_file_;
 };

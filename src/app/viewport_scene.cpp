@@ -126,6 +126,14 @@ Result<void> ViewportScene::sync_refined(const LiveRefinement& refinement, Refin
   return {};
 }
 
+void ViewportScene::leave_out_refined(const Session& session) {
+  refined_.revision = session.refinement().refined_revision();
+  refined_.is_there = false;
+  second_.revision = session.second().refined_revision();
+  second_.is_there = false;
+  ++content_;
+}
+
 void ViewportScene::sync_dots(const ShownValences& valences, const ControlMesh& control,
                               const RefinedMesh* refined, Dots& dots) {
   if (dots.revision == valences.revision()) {

@@ -43,6 +43,9 @@ class ViewportScene {
   /// Uploads whatever of the session's document and refinement is new.
   /// Errors: kEnvironment where the graphics memory or driver cannot hold it; what was there stays.
   [[nodiscard]] Result<void> sync(const Session& session);
+  /// Draws the control mesh instead of the refined meshes there are now, until there are others:
+  /// the graphics card does not hold them.
+  void leave_out_refined(const Session& session);
 
   /// The camera of the session's view for an image of this size.
   [[nodiscard]] static render::Camera camera(const Session& session, render::FramebufferSize size);

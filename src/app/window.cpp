@@ -43,6 +43,8 @@ void set_context_hints() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  // A reset of the driver then loses the context instead of the program, where that is offered.
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
 #ifndef NDEBUG
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
 #endif
@@ -312,6 +314,10 @@ std::string Window::clipboard() const {
 
 void Window::set_clipboard(const std::string& text) {
   glfwSetClipboardString(window_, text.c_str());
+}
+
+bool Window::is_context_lost() const {
+  return glGetGraphicsResetStatus() != GL_NO_ERROR;
 }
 
 void Window::swap_buffers() {

@@ -70,6 +70,10 @@ class Window {
   [[nodiscard]] std::string clipboard() const;
   void set_clipboard(const std::string& text);
 
+  /// Whether the driver was reset: everything that was drawn with is gone, and the window has to be
+  /// opened again.
+  [[nodiscard]] bool is_context_lost() const;
+
   /// Shows what was drawn.
   void swap_buffers();
 

@@ -12,4 +12,10 @@ class EnvironmentError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The graphics driver has no memory left for what is to be drawn. Less may fit.
+class OutOfVideoMemory : public EnvironmentError {
+ public:
+  using EnvironmentError::EnvironmentError;
+};
+
 }  // namespace limn::render

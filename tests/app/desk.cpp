@@ -35,9 +35,20 @@ Desk::Desk(ui::WindowSize size, ui::FontFiles fonts)
     : context_(render::create_headless_context(render::HeadlessKind::kOsmesa)),
       size_(size),
       gui_(std::move(fonts), {}),
+      imgui_renderer_(std::make_unique<ImguiRenderer>()),
+      scene_(std::make_unique<ViewportScene>()),
       session_({[] {}, {}}) {}
 
 Desk::~Desk() = default;
+
+void Desk::lose_graphics() {
+  scene_.reset();
+  imgui_renderer_.reset();
+  context_.reset();
+  context_ = render::create_headless_context(render::HeadlessKind::kOsmesa);
+  imgui_renderer_ = std::make_unique<ImguiRenderer>();
+  scene_ = std::make_unique<ViewportScene>();
+}
 
 void Desk::point_at(std::string_view item) {
   static_cast<void>(frame());
@@ -67,12 +78,12 @@ ui::GuiFrame Desk::frame() {
 
 void Desk::draw_frame(render::FramebufferSize size) {
   static_cast<void>(frame());
-  EXPECT_TRUE(scene_.sync(session_));
+  EXPECT_TRUE(scene_->sync(session_));
   ViewportLook look;
   look.edge = session_.hover_edge();
-  scene_.draw(session_, size, look);
+  scene_->draw(session_, size, look);
   static_cast<void>(
-      scene_.pick(session_, size, {size.width / 2.0, static_cast<double>(size.height) / 2.0}));
+      scene_->pick(session_, size, {size.width / 2.0, static_cast<double>(size.height) / 2.0}));
 }
 
 render::Image Desk::picture() {
@@ -88,10 +99,10 @@ render::Image Desk::picture() {
   const render::FramebufferSize half{pixel(halves.first.size.width),
                                      pixel(halves.first.size.height)};
   session_.set_aspect(half.aspect());
-  EXPECT_TRUE(scene_.sync(session_));
+  EXPECT_TRUE(scene_->sync(session_));
   ViewportLook look;
   look.edge = session_.hover_edge();
-  scene_.draw(session_, half, look);
+  scene_->draw(session_, half, look);
 
   const glm::ivec2 size(pixel(size_.width), pixel(size_.height));
   const render::gl::Texture colour = render::gl::Texture::create_2d(size, GL_RGBA8, "desk");
@@ -104,13 +115,13 @@ render::Image Desk::picture() {
   const auto lower_left = [&](const ui::WindowPoint& upper_left) {
     return glm::ivec2(pixel(upper_left.x), size.y - pixel(upper_left.y) - half.height);
   };
-  scene_.present(lower_left(halves.first.origin), whole.id());
+  scene_->present(lower_left(halves.first.origin), whole.id());
   if (halves.second) {
-    scene_.present_second(lower_left(halves.second->origin), whole.id());
+    scene_->present_second(lower_left(halves.second->origin), whole.id());
   }
   whole.bind();
-  imgui_renderer_.set_atlas(gui_.atlas(), gui_.atlas_revision());
-  imgui_renderer_.draw(gui_.draw_data());
+  imgui_renderer_->set_atlas(gui_.atlas(), gui_.atlas_revision());
+  imgui_renderer_->draw(gui_.draw_data());
   render::Image image(size);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   for (int y = 0; y < size.y; ++y) {

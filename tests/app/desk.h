@@ -20,6 +20,9 @@ class Desk {
   explicit Desk(ui::WindowSize size, ui::FontFiles fonts = {});
   ~Desk();
 
+  /// As when the graphics driver was reset: another context, and everything in it anew.
+  void lose_graphics();
+  [[nodiscard]] ViewportScene& scene() noexcept { return *scene_; }
   [[nodiscard]] Session& session() noexcept { return session_; }
   [[nodiscard]] ui::Gui& gui() noexcept { return gui_; }
   /// Where the cursor rests while the picture is drawn.
@@ -46,8 +49,8 @@ class Desk {
   double time_ = 0.0;
   std::function<void(ui::Model&)> adjust_;
   ui::WindowRect viewport_;  ///< Of the last picture.
-  ImguiRenderer imgui_renderer_;
-  ViewportScene scene_;
+  std::unique_ptr<ImguiRenderer> imgui_renderer_;
+  std::unique_ptr<ViewportScene> scene_;
   Session session_;
 };
 

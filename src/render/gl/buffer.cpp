@@ -28,7 +28,7 @@ void Buffer::resize(std::size_t bytes) {
     glNamedBufferData(id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
     if (glGetError() == GL_OUT_OF_MEMORY) {
       size_ = capacity_ = 0;
-      throw EnvironmentError(
+      throw OutOfVideoMemory(
           fmt::format("The graphics driver has no {} MB of memory left.", (bytes >> 20U) + 1));
     }
     capacity_ = bytes;
