@@ -30,8 +30,9 @@ std::string obj_name(std::string_view name) {
   while (written.ends_with(' ')) {
     written.pop_back();
   }
+  // A backslash at the end of the line would go on with the next one.
   if (written.ends_with('\\')) {
-    written.back() = '_';
+    written += " #";
   }
   return written;
 }

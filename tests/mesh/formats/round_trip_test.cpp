@@ -123,6 +123,14 @@ TEST(RoundTrip, NamesOfOddBytes) {
   EXPECT_EQ(again.mesh->attributes().names, once.mesh->attributes().names);
 }
 
+TEST(RoundTrip, NamesThatEndWithABackslash) {
+  const std::string text = "mtllib a\\\\ \nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl a b\\ #\nf 1 2 3\n";
+  const ImportedMesh once = read(text, MeshFormat::kObj);
+  EXPECT_THAT(once.mesh->attributes().names.materials.names, ElementsAre("a b\\"));
+  const ImportedMesh again = read(bytes_of(MeshFormat::kObj, *once.mesh), MeshFormat::kObj);
+  EXPECT_EQ(again.mesh->attributes().names, once.mesh->attributes().names);
+}
+
 TEST(RoundTrip, EveryMeshOfTheCorpus) {
   if (!test::corpus_folder()) {
     GTEST_SKIP() << "no corpus of meshes: set LIMN_CORPUS or put one at ../shared/corpus";
