@@ -164,6 +164,21 @@ ViewportPlace Application::place_of(const ui::WindowRect& viewport) const {
   return place;
 }
 
+std::optional<ui::WindowPoint> Application::mend_marker(const ui::Model& model) const {
+  if (!model.mend_focus) {
+    return std::nullopt;
+  }
+  // The near plane does not count: what was dropped may lie outside of the mesh.
+  const render::Camera camera = ViewportScene::camera(session_, place_.size);
+  const glm::dvec4 clip = camera.view_projection * glm::dvec4(model.mend_focus->position, 1.0);
+  if (clip.w <= 0.0) {
+    return std::nullopt;
+  }
+  const ui::WindowRect& place = place_.rect;
+  return ui::WindowPoint{place.origin.x + (0.5 + 0.5 * clip.x / clip.w) * place.size.width,
+                         place.origin.y + (0.5 - 0.5 * clip.y / clip.w) * place.size.height};
+}
+
 void Application::frame() {
   gui_.set_scale(scale());
   imgui_renderer_->set_atlas(gui_.atlas(), gui_.atlas_revision());
@@ -173,6 +188,7 @@ void Application::frame() {
   const double now = Window::now();
   model.frame_seconds = now - last_frame_;
   last_frame_ = now;
+  model.mend_marker = mend_marker(model);
   const ui::GuiFrame gui = gui_.frame(model, input, window_->size());
 
   place_ = place_of(gui.viewport);

@@ -42,6 +42,8 @@ class Application {
   /// Takes in what has happened; true where a frame must be drawn.
   [[nodiscard]] bool take_news();
   void frame();
+  /// Where the mended element shows that the person was led to, by the last frame's place.
+  [[nodiscard]] std::optional<ui::WindowPoint> mend_marker(const ui::Model& model) const;
   void draw(const ViewportPlace& place);
   void take_screenshot(const std::filesystem::path& path);
   void write_status() const;

@@ -76,6 +76,7 @@ Preferences from_json(const Json& json) {
   panel.read("schemes_open", preferences.layout.schemes_open);
   panel.read("display_open", preferences.layout.display_open);
   panel.read("numbers_open", preferences.layout.numbers_open);
+  panel.read("report_open", preferences.layout.report_open);
 
   const Reader window = root.child("window");
   window.read("width", preferences.window.width, 640.0, 16384.0);
@@ -108,7 +109,8 @@ Json to_json(const Preferences& preferences) {
         {"subdivide_open", layout.subdivide_open},
         {"schemes_open", layout.schemes_open},
         {"display_open", layout.display_open},
-        {"numbers_open", layout.numbers_open}}},
+        {"numbers_open", layout.numbers_open},
+        {"report_open", layout.report_open}}},
       {"window",
        {{"width", preferences.window.width},
         {"height", preferences.window.height},

@@ -50,7 +50,7 @@ void Session::carry_out(const ui::Action& action) {
                         perform_rule(action) || perform_creases(action) || perform_brush(action) ||
                         perform_subdivision(action) || perform_scheme(action) ||
                         perform_scheme_choice(action) || perform_edge(action) ||
-                        perform_display(action) || perform_camera(action);
+                        perform_display(action) || perform_camera(action) || perform_report(action);
   LIMN_EXPECTS(is_known);
   update_facts();
 }
@@ -106,6 +106,7 @@ void Session::finish_refinement() {
 
 void Session::show(Project project) {
   stroke_.reset();
+  mend_focus_.reset();
   autosave_.clear();
   document_ = std::move(project.document);
   history_.clear();
@@ -116,12 +117,10 @@ void Session::show(Project project) {
   camera_.set(project.view ? *project.view
                            : render::default_view(document_.control->positions(), aspect_));
   remember_file(document_.project_path.empty() ? document_.mesh_path : document_.project_path);
-  if (document_.import_report.is_mended()) {
-    std::string text = document_.name + ":";
-    for (const std::string& sentence : document_.import_report.sentences()) {
-      text += " " + sentence;
-    }
-    toast(Kind::kNote, std::move(text));
+  if (const std::size_t kinds = document_.import_report.mends.size(); kinds > 0) {
+    const Mend& first = document_.import_report.mends.front();
+    toast(Kind::kNote, fmt::format("{}: {}{}", document_.name, sentence_of(first.kind, first.count),
+                                   kinds > 1 ? " The panel on the right tells of the rest." : ""));
   }
 }
 
@@ -223,6 +222,8 @@ void Session::cancel() {
     refinement_.cancel();
     export_path_.reset();
     toast(Kind::kNote, "Refinement stopped. The last finished one stays in view.");
+  } else {
+    mend_focus_.reset();
   }
 }
 
@@ -297,6 +298,7 @@ ui::Model Session::model() const {
       .history = {history_.undo_name(), history_.redo_name(), history_.bytes()},
       .hover = hover,
       .hover_edge = hover_edge,
+      .mend_focus = mend_focus_,
       .is_stroking = is_stroking(),
       .frame_seconds = 0.0,
       .bundled_meshes = bundled_,

@@ -155,6 +155,7 @@ class Session {
   bool perform_edge(const ui::Action& action);
   bool perform_display(const ui::Action& action);  // session_view.cpp
   bool perform_camera(const ui::Action& action);
+  bool perform_report(const ui::Action& action);  // session_report.cpp
 
   void recover();
   void ask_about_lost_work();
@@ -227,6 +228,7 @@ class Session {
   bool is_framed_ = true;  ///< False until a new document's default view has met the real aspect.
   std::optional<std::uint32_t> hover_;
   std::optional<std::uint32_t> hover_edge_;
+  std::optional<ui::MendFocus> mend_focus_;
   std::shared_ptr<const ControlMesh> known_control_;  ///< At the last `update_facts`.
   std::optional<Stroke> stroke_;
 

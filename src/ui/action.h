@@ -125,6 +125,10 @@ enum class ActionId : std::uint8_t {
   kViewBottom,
   kViewIso,
 
+  // What was mended when the mesh was opened
+  kNextMend,      ///< int, a MendKind: lead to its next element.
+  kPreviousMend,  ///< int, a MendKind: lead to the one before.
+
   // Program
   kHelp,
   kKeymapOriginal,

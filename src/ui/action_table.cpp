@@ -210,6 +210,11 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kViewBottom, kCamera, kNothing, "Bottom view", "Look from below, along +Y."},
     {kViewIso, kCamera, kNothing, "Three-quarter view", "Look from the upper right front."},
 
+    {kNextMend, kCamera, ValueKind::kInt, "Show next mended place",
+     "Move the camera to the next place of this kind and mark it. After the last comes the first."},
+    {kPreviousMend, kCamera, ValueKind::kInt, "Show mended place before",
+     "Move the camera back to the place before and mark it."},
+
     {kHelp, kProgram, kNothing, "Keys and mouse", "Show everything the keys and the mouse do."},
     {kKeymapOriginal, kProgram, kNothing, "Original keys",
      "The keys of the program Limn grew from. A plain left drag paints."},

@@ -49,6 +49,7 @@ struct PanelLayout {
   bool schemes_open = false;
   bool display_open = true;
   bool numbers_open = true;
+  bool report_open = true;
 
   [[nodiscard]] bool operator==(const PanelLayout&) const = default;
 };

@@ -13,10 +13,12 @@
 #include "limn/document/scheme_refinement.h"
 #include "limn/document/view_state.h"
 #include "limn/error.h"
+#include "limn/mesh/import_report.h"
 #include "limn/mesh/mesh_format.h"
 #include "limn/painting/crease_palette.h"
 #include "limn/painting/valence_palette.h"
 #include "limn/subdivision/settings.h"
+#include "ui/window_geometry.h"
 
 namespace limn {
 struct CrackCheck;
@@ -151,6 +153,13 @@ struct HistoryStatus {
   std::size_t bytes = 0;
 };
 
+/// The mended element that the person was led to last.
+struct MendFocus {
+  MendKind kind{};
+  std::size_t element = 0;   ///< Of the report's mend of that kind.
+  glm::dvec3 position{0.0};  ///< In mesh units.
+};
+
 /// The control face under the cursor.
 struct HoverInfo {
   std::uint32_t face = 0;
@@ -266,7 +275,9 @@ struct Model {
   HistoryStatus history{};
   std::optional<HoverInfo> hover{};
   std::optional<EdgeHover> hover_edge{};
-  bool is_stroking = false;  ///< A brush stroke is going on.
+  std::optional<MendFocus> mend_focus{};
+  std::optional<WindowPoint> mend_marker{};  ///< Where it shows, if it does.
+  bool is_stroking = false;                  ///< A brush stroke is going on.
   double frame_seconds = 0.0;
 
   std::span<const std::string> bundled_meshes{};

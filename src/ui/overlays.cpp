@@ -146,6 +146,14 @@ void draw_captions(PanelContext& context, ImDrawList& list, const WindowRect& vi
                context.colours.hairline, context.px(2));
 }
 
+/// A ring around the mended place that the person was led to.
+void draw_mend_marker(PanelContext& context, ImDrawList& list, const WindowPoint& at) {
+  const ImVec2 centre{static_cast<float>(at.x), static_cast<float>(at.y)};
+  list.AddCircle(centre, context.px(18), context.colours.overlay, 0, context.px(6));
+  list.AddCircle(centre, context.px(18), context.colours.problem, 0, context.px(2.5F));
+  list.AddCircleFilled(centre, context.px(3), context.colours.problem);
+}
+
 void draw_toasts(PanelContext& context, ImDrawList& list, const WindowRect& viewport) {
   const ThemeColours& c = context.colours;
   const auto left = static_cast<float>(viewport.origin.x);
@@ -185,6 +193,9 @@ void draw_overlays(PanelContext& context, const WindowRect& viewport) {
   const LegendLook look{context.fonts, context.colours, context.unit};
   draw_legends(context, list, look, first);
   draw_captions(context, list, viewport);
+  if (context.model.mend_marker) {
+    draw_mend_marker(context, list, *context.model.mend_marker);
+  }
   draw_axes(context, list, {high.x - margin - context.px(32), high.y - margin - context.px(32)});
   draw_toasts(context, list, viewport);
   list.PopClipRect();

@@ -31,6 +31,7 @@ void draw_subdivide_section(PanelContext& context);
 void draw_schemes_section(PanelContext& context);
 void draw_display_section(PanelContext& context);
 void draw_numbers_section(PanelContext& context);
+void draw_report_section(PanelContext& context);
 
 /// Errors against levels, one line a series, in a box of the width there is.
 void draw_sphere_plot(PanelContext& context);

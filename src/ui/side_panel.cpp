@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "limn/document/document.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -61,6 +62,11 @@ void draw_side_panel(PanelContext& context, const WindowRect& place) {
     }
     ImGui::PopID();
   };
+  const ImportReport& report = context.model.document.import_report;
+  if (report.is_mended() || !report.unused_data.empty()) {
+    section(report.is_mended() ? "MENDED ON OPENING" : "LEFT OUT ON OPENING", layout.report_open,
+            draw_report_section);
+  }
   section("PAINT", layout.paint_open, draw_paint_section);
   section("SUBDIVIDE", layout.subdivide_open, draw_subdivide_section);
   section("SCHEMES", layout.schemes_open, draw_schemes_section);

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "limn/mesh/import.h"
 #include "limn/mesh/refined_mesh.h"
@@ -50,6 +51,27 @@ class SessionTest : public testing::Test {
   std::vector<std::uint32_t> visible_{0, 2};
   Session session_{{[] {}, [this]() -> Result<std::vector<std::uint32_t>> { return visible_; }}};
 };
+
+TEST_F(SessionTest, LeadsFromOneMendedPlaceToTheNext) {
+  const fs::path path = folder_.path() / "broken.obj";
+  std::ofstream(path)
+      << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 6 7\nv 8 8 8\nf 1 2 3 4\nf 1 1 2\n";
+  session_.perform({kOpen, path.string()});
+  EXPECT_THAT(last_toast(), HasSubstr("1 face had fewer than three distinct vertices"));
+  const auto loose = static_cast<int>(MendKind::kLooseVertex);
+  EXPECT_FALSE(session_.model().mend_focus.has_value());
+  session_.perform({kPreviousMend, loose});
+  ASSERT_TRUE(session_.model().mend_focus.has_value());
+  EXPECT_EQ(session_.model().mend_focus->position, glm::dvec3(8.0));
+  session_.perform({kNextMend, loose});
+  EXPECT_EQ(session_.model().mend_focus->position, glm::dvec3(5.0, 6.0, 7.0));
+  session_.update(10.0);
+  EXPECT_LT(glm::distance(session_.view().target, glm::dvec3(5.0, 6.0, 7.0)), 0.1);
+  session_.perform({kNextMend, static_cast<int>(MendKind::kFilledUv)});
+  EXPECT_EQ(session_.model().mend_focus->element, 0U);
+  session_.perform({kCancel});
+  EXPECT_FALSE(session_.model().mend_focus.has_value());
+}
 
 TEST_F(SessionTest, StrokePaintsLiveAndUndoesAsOne) {
   session_.begin_stroke(DepthChange::add(1));
