@@ -23,6 +23,7 @@ Session::Session(SessionHost host)
       refinement_(host_.wake),
       second_(host_.wake),
       sphere_(host_.wake),
+      exports_(host_.wake),
       autosave_(host_.recovery_folder, host_.wake) {
   LIMN_EXPECTS(host_.wake);
   for (const BundledMesh& mesh : bundled_meshes()) {
@@ -82,9 +83,10 @@ bool Session::update(double now) {
     has_news = true;
   }
   if (export_path_ && refinement_.is_up_to_date() && refinement_.refined() != nullptr) {
-    finish_export();
+    write_export();
     has_news = true;
   }
+  has_news |= report_export();
   has_news |= follow_autosave();
   has_news |= toasts_.expire(now_);
   has_news |= camera_.update(now_);
@@ -102,6 +104,8 @@ void Session::finish_refinement() {
     follow_second();
     second_.wait_until_idle();
   } while (update(now_) && (refinement_.is_busy() || second_.is_busy()));
+  exports_.wait_until_idle();
+  report_export();
 }
 
 void Session::show(Project project) {

@@ -14,6 +14,7 @@
 
 #include "app/autosave.h"
 #include "app/camera_motion.h"
+#include "app/export_job.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
 #include "app/scheme_facts.h"
@@ -98,9 +99,10 @@ class Session {
   [[nodiscard]] bool shows_second_refined() const noexcept;
   /// Whether anything is being worked out on another thread.
   [[nodiscard]] bool is_busy() const {
-    return refinement_.is_busy() || second_.is_busy() || sphere_.is_busy();
+    return refinement_.is_busy() || second_.is_busy() || sphere_.is_busy() || exports_.is_busy();
   }
-  /// Blocks until the refined mesh is up to date. For tests and for work without a window.
+  /// Blocks until the refined mesh is up to date, and the file that is exported written. For tests
+  /// and for work without a window.
   void finish_refinement();
 
   /// Chosen in an earlier run.
@@ -175,7 +177,8 @@ class Session {
   void remember_file(const std::filesystem::path& path);
   void go_on();
   void start_export(const std::filesystem::path& path);
-  void finish_export();
+  void write_export();
+  bool report_export();
   [[nodiscard]] std::array<std::string, MeshFormats.size()> export_losses() const;
   void ask_for_path(ui::PathPrompt::Purpose purpose);
 
@@ -210,6 +213,7 @@ class Session {
   LiveRefinement refinement_;
   LiveRefinement second_;
   SphereJob sphere_;
+  ExportJob exports_;
   bool was_busy_ = false;  ///< At the last update.
   MeshFacts facts_;
   SchemeFacts scheme_facts_;

@@ -199,14 +199,24 @@ void Session::start_export(const fs::path& path) {
   }
 }
 
-void Session::finish_export() {
-  const fs::path path = *std::exchange(export_path_, std::nullopt);
-  const RefinedMesh& mesh = *refinement_.refined()->mesh;
-  if (auto written = export_mesh(path, mesh, export_settings(document_)); !written) {
-    show_error("Cannot write " + path.filename().string(), std::move(written.error()));
-    return;
+void Session::write_export() {
+  exports_.start(*std::exchange(export_path_, std::nullopt), refinement_.refined()->mesh,
+                 document_.control, export_settings(document_));
+}
+
+/// True where a file was done.
+bool Session::report_export() {
+  auto outcome = exports_.take_outcome();
+  if (!outcome) {
+    return false;
   }
-  toast(Kind::kDone, fmt::format("Wrote {}: {} faces.", path.string(), mesh.face_count()));
+  if (outcome->written) {
+    toast(Kind::kDone, fmt::format("Wrote {}: {} faces.", outcome->path.string(), outcome->faces));
+  } else {
+    show_error("Cannot write " + outcome->path.filename().string(),
+               std::move(outcome->written.error()));
+  }
+  return true;
 }
 
 void Session::ask_for_path(Purpose purpose) {

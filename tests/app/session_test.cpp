@@ -345,6 +345,31 @@ TEST_F(SessionTest, ExportWaitsForTheRefinement) {
   EXPECT_EQ(session_.document().stage.levels, 0) << "exporting does not subdivide the view";
 }
 
+TEST_F(SessionTest, ExportsAreWrittenInAnyFormatOrSayWhyNot) {
+  for (const char* name : {"a.ply", "b.OFF", "c.stl"}) {
+    session_.perform({kExportRefined, (folder_ / name).string()});
+    session_.finish_refinement();
+    EXPECT_FALSE(session_.is_busy());
+    EXPECT_TRUE(import_mesh(folder_ / name).has_value()) << name;
+  }
+  session_.perform({kExportRefined, (folder_ / "nowhere" / "d.ply").string()});
+  session_.finish_refinement();
+  const auto* error = modal<ui::ErrorDialog>();
+  ASSERT_NE(error, nullptr);
+  EXPECT_EQ(error->title, "Cannot write d.ply");
+}
+
+TEST_F(SessionTest, TheExportPromptSaysWhatIsLost) {
+  stroke({0}, DepthChange::set(2));
+  session_.finish_refinement();
+  session_.perform(kExportRefined);
+  const auto* prompt = modal<ui::PathPrompt>();
+  ASSERT_NE(prompt, nullptr);
+  EXPECT_EQ(prompt->losses[static_cast<std::size_t>(MeshFormat::kObj)], "");
+  EXPECT_EQ(prompt->losses[static_cast<std::size_t>(MeshFormat::kOff)],
+            "OFF files do not hold: the painted depths.");
+}
+
 TEST_F(SessionTest, OverTheBudgetItAsksAndObeys) {
   session_.set_face_budget(100);
   stroke({0}, DepthChange::set(3));
