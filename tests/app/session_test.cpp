@@ -69,6 +69,7 @@ TEST_F(SessionTest, LeadsFromOneMendedPlaceToTheNext) {
   EXPECT_LT(glm::distance(session_.view().target, glm::dvec3(5.0, 6.0, 7.0)), 0.1);
   session_.perform({kNextMend, static_cast<int>(MendKind::kFilledUv)});
   EXPECT_EQ(session_.model().mend_focus->element, 0U);
+  session_.finish_refinement();  // Else it would be the refinement that is cancelled.
   session_.perform({kCancel});
   EXPECT_FALSE(session_.model().mend_focus.has_value());
 }

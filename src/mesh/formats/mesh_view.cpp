@@ -7,7 +7,7 @@
 namespace limn::detail {
 namespace {
 
-const FaceNaming NoNames;
+const FaceNaming kNoNames;
 
 bool is_float(double x) {
   return static_cast<double>(static_cast<float>(x)) == x;
@@ -58,7 +58,7 @@ MeshView::MeshView(const RefinedMesh& mesh, const ExportSettings& settings)
       are_uvs_floats_(true),
       creasing_(mesh.creasing),
       corner_rule_(mesh.corner_rule),
-      names_(&NoNames) {
+      names_(&kNoNames) {
   creases_.reserve(mesh.creases.size());
   for (const RefinedCrease& crease : mesh.creases) {
     creases_.push_back({crease.vertices, crease.sharpness});
