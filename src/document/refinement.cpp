@@ -172,7 +172,10 @@ Result<Refinement> RefinementSource::derive(const ControlMesh& control, const De
     return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
   }
   const Stopwatch checking;
-  checker_.check(control, *derived.mesh, derived.cracks);
+  PartOf check_part(progress, 0.7, 1.0);
+  if (!checker_.check(control, *derived.mesh, derived.cracks, check_part)) {
+    return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
+  }
   derived.check_seconds = checking.seconds();
   return derived;
 }

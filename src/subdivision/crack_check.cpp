@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <span>
+#include <string_view>
 
 #include "limn/contract.h"
 #include "subdivision/boundary_paths.h"
@@ -52,12 +53,28 @@ std::size_t CrackChecker::Workspace::missing_control_faces(const ControlMesh& co
 
 void CrackChecker::check(const ControlMesh& control, const RefinedMesh& refined,
                          CrackCheck& result) {
+  IgnoreProgress progress;
+  (void)check(control, refined, result, progress);
+}
+
+bool CrackChecker::check(const ControlMesh& control, const RefinedMesh& refined, CrackCheck& result,
+                         Progress& progress) {
+  constexpr std::string_view stage = "Checking for cracks";
   Workspace& work = *workspace_;
   result.crack_faces.clear();
   result.missing_control_faces = work.missing_control_faces(control, refined);
+  if (!progress.report(0.2, stage)) {
+    return false;
+  }
   work.stars.find(refined, control.vertex_count());
   result.unused_vertices = work.stars.unused_vertices();
+  if (!progress.report(0.6, stage)) {
+    return false;
+  }
   work.sides.match(refined, work.stars.settled());
+  if (!progress.report(0.9, stage)) {
+    return false;
+  }
   result.nonmanifold_edges = work.sides.nonmanifold_edges();
 
   const std::span<const Side> singles = work.sides.single_sides();
@@ -74,6 +91,7 @@ void CrackChecker::check(const ControlMesh& control, const RefinedMesh& refined,
   std::vector<std::uint32_t>& faces = result.crack_faces;
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return true;
 }
 
 CrackCheck check_cracks(const ControlMesh& control, const RefinedMesh& refined) {

@@ -7,6 +7,7 @@
 
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/refined_mesh.h"
+#include "limn/progress.h"
 
 namespace limn {
 
@@ -46,6 +47,9 @@ class CrackChecker {
 
   /// Replaces the contents of `result`.
   void check(const ControlMesh& control, const RefinedMesh& refined, CrackCheck& result);
+  /// The same under a progress; false where that asked to stop, and then `result` is unspecified.
+  [[nodiscard]] bool check(const ControlMesh& control, const RefinedMesh& refined,
+                           CrackCheck& result, Progress& progress);
 
  private:
   struct Workspace;
