@@ -56,6 +56,7 @@ bool loses(MeshFormat format, const ControlMesh& mesh, const std::string& what) 
   return false;
 }
 
+/// Any mesh can be cut into triangles.
 void check_triangles(const ImportedMesh& imported) {
   const std::string first = written(MeshFormat::kStl, imported);
   if (const auto soup = read_soup(first, MeshFormat::kStl, "written"); !soup) {
@@ -74,8 +75,8 @@ void check_round_trip(MeshFormat format, const std::uint8_t* data, std::size_t s
     }
     return;
   }
+  check_triangles(*imported);
   if (format == MeshFormat::kStl) {
-    check_triangles(*imported);
     return;
   }
   const ImportedMesh again = read_again(written(format, *imported), format);

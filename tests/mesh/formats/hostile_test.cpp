@@ -1,12 +1,14 @@
 // Whatever a file holds, the answer is a sound mesh or an error with a message, soon.
 #include <filesystem>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limn/mesh/export.h"
 #include "limn/mesh/import.h"
 #include "mesh/mesh_checks.h"
 #include "support/effort.h"
@@ -26,6 +28,16 @@ void expect_answer(const Result<ImportedMesh>& imported, const std::string& path
     EXPECT_EQ(imported.error().kind, ErrorKind::kBadInput);
     EXPECT_THAT(to_string(imported.error()), StartsWith(path));
     EXPECT_FALSE(imported.error().message.empty());
+  }
+}
+
+/// Whatever came in goes out in any format.
+void expect_writable(const ControlMesh& mesh) {
+  for (const MeshFormat format : MeshFormats) {
+    std::ostringstream out;
+    write_mesh(out, format, mesh);
+    const auto soup = read_soup(out.str(), format, "written");
+    EXPECT_TRUE(soup.has_value()) << name_of(format) << ": " << to_string(soup.error());
   }
 }
 
@@ -105,7 +117,10 @@ TEST(HostileFiles, BentAnywhere) {
     }
     const auto imported = import_bytes(bytes, format_by_ending(file.name), file.name);
     expect_answer(imported, file.name);
-    accepted += imported.has_value() ? 1 : 0;
+    if (imported) {
+      ++accepted;
+      expect_writable(*imported->mesh);
+    }
     ASSERT_FALSE(testing::Test::HasFailure()) << bytes;
   }
   EXPECT_GT(accepted, rounds / 20);
