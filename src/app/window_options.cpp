@@ -6,7 +6,8 @@ namespace limn::app {
 
 void add_window_options(CLI::App& program, WindowOptions& options) {
   program.add_option("MESH", options.input,
-                     "Mesh (OBJ), project (.limn) or bundled mesh to open; without, the creature");
+                     "Mesh (.obj, .ply, .off or .stl), project (.limn) or bundled mesh to open; "
+                     "without, the creature");
   program
       .add_option("--status-file", options.status_file,
                   "Write the state of the window to this file whenever it comes to rest")

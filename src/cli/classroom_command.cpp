@@ -85,7 +85,7 @@ void add_classroom_command(CLI::App& program, Work& work) {
   const auto options = std::make_shared<ClassroomOptions>();
   command
       ->add_option("MESH", options->input,
-                   "Mesh (OBJ), project (.limn) or bundled mesh to subdivide")
+                   "Mesh (.obj, .ply, .off or .stl), project (.limn) or bundled mesh to subdivide")
       ->capture_default_str();
   command->add_option("LEVELS", options->levels, "How many steps to begin with")
       ->check(CLI::Range(0, kMostSchemeLevels))

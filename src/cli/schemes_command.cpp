@@ -140,7 +140,7 @@ void add_schemes_command(CLI::App& program, Work& work) {
   command->add_option(
       "IN", options->input,
       "With --adjacency: a mesh file (.obj, .ply, .off or .stl), a project (.limn), the name of a "
-      "bundled mesh, or - for OBJ text on standard input; without, the sphere");
+      "bundled mesh, or - for a mesh on standard input; without, the sphere");
   command->add_flag("--adjacency", options->has_adjacency,
                     "For loop: of every old vertex its neighbours, of every midpoint "
                     "the ends of its edge and the vertices opposite");
