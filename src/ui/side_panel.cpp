@@ -44,7 +44,8 @@ void draw_side_panel(PanelContext& context, const WindowRect& place) {
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
   ImGui::Begin("##panel", nullptr,
-               fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+               fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PopStyleVar();
   drag_edge(context, place);
   ImGui::SetCursorPos({context.px(6), 0.0F});

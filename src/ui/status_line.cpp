@@ -103,7 +103,8 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
   ImGui::PushStyleColor(ImGuiCol_WindowBg, context.colours.chrome);
   ImGui::Begin("##status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddLine({origin.x, origin.y + 0.5F}, {origin.x + width, origin.y + 0.5F},
                context.colours.hairline, 1.0F);

@@ -37,7 +37,8 @@ void draw_tool_strip(PanelContext& context, const WindowRect& place) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, context.colours.chrome);
   ImGui::Begin("##tools", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
   for (const Entry& tool : kTools) {
     icon_button(context, tool.id, tool.icon, side);
   }

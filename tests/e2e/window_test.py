@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""How the window begins and ends: bad files, no display, unsaved changes, preferences that are kept.
+"""How the window begins and ends: bad files, no display, unsaved changes, preferences that are kept, work
+that comes back after a kill.
 
 usage: window_test.py PROGRAM MESH.obj"""
 
@@ -7,8 +8,9 @@ import json
 import os
 import subprocess
 import sys
+import time
 
-from program import Display, Folder, Program, clean_environment
+from program import PATIENCE, Display, Folder, Program, clean_environment
 
 
 def run_to_end(executable, arguments, folder, environment=None):
@@ -71,6 +73,44 @@ def check_unsaved_and_preferences(executable, display, folder):
         program.kill()
 
 
+def check_recovery(executable, display, folder):
+    """What was painted when the program is killed is offered by its next start."""
+    program = Program(executable, ["cube"], display, folder)
+    try:
+        program.wait_for("it has started", lambda s: not s["busy"])
+        program.key("c")  # After every refinement a copy is kept.
+        program.wait_for("it is subdivided", lambda s: s["refined"] is not None and not s["busy"])
+        program.key("a")
+        program.wait_for("all is painted", lambda s: set(s["depths"]) == {1} and not s["busy"])
+        kept = os.path.join(folder, ".local", "state", "limn", "recovery")
+        end = time.monotonic() + PATIENCE
+        while not any(name.endswith(".limn") and is_painted(os.path.join(where, name))
+                      for where, _, names in os.walk(kept) for name in names):
+            assert time.monotonic() < end, "no copy is kept"
+            time.sleep(0.05)
+    finally:
+        program.kill()
+    program = Program(executable, ["grid"], display, folder)
+    try:
+        program.wait_for("it asks", lambda s: s["modal"] == "recovery")
+        picture = os.environ.get("LIMN_RECOVERY_PICTURE")
+        program.click(*program.item("Recover"))
+        state = program.wait_for("it is there again", lambda s: s["control_faces"] == 6)
+        assert set(state["depths"]) == {1} and state["modified"], state
+        program.key("ctrl+q")
+        program.wait_for("it asks about changes", lambda s: s["modal"] == "unsaved")
+        program.click(*program.item("Discard changes"))
+        assert program.wait_for_exit() == 0, program.log()
+        assert not os.listdir(kept), os.listdir(kept)
+    finally:
+        program.kill()
+
+
+def is_painted(path):
+    with open(path) as file:
+        return set(json.load(file)["depths"]) == {1}
+
+
 def check_small_screen(executable, folder):
     """On a screen smaller than the window would like to be, all of it is on the screen."""
     display = Display((800, 600))
@@ -94,6 +134,7 @@ def main():
         display = Display()
         try:
             check_unsaved_and_preferences(executable, display, folder)
+            check_recovery(executable, display, folder)
         finally:
             display.close()
 

@@ -37,6 +37,19 @@ TEST(Dialogs, AnErrorIsDismissedByItsButtonByEnterAndByEscape) {
   EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kCancel)));
 }
 
+TEST(Dialogs, OneCanBeThereFromTheFirstFrameOn) {
+  Screen screen;
+  screen.model.modal =
+      RecoveryQuestion{"creature.limn", "/home/anna/creature.limn", "22 November, 14:05", 1};
+  screen.settle();
+  screen.key(Key::kEnter);
+  screen.click("Discard");
+  screen.click("Later");
+  EXPECT_THAT(screen.take_actions(),
+              ElementsAre(Action(ActionId::kRecover), Action(ActionId::kDiscardLost),
+                          Action(ActionId::kCancel)));
+}
+
 TEST(Dialogs, NothingBehindADialogReacts) {
   Screen screen;
   const WindowPoint button = screen.middle("Raise all");

@@ -421,15 +421,12 @@ TEST(Panels, EveryActionIsReachable) {
     screen.settle();
     look();
   }
-  screen.model.modal = OverBudgetQuestion{};
-  screen.settle();
-  look();
-  screen.model.modal = UnsavedQuestion{};
-  screen.settle();
-  look();
-  screen.model.modal = RecoveryQuestion{};
-  screen.settle();
-  look();
+  for (const Modal& modal :
+       {Modal(OverBudgetQuestion{}), Modal(UnsavedQuestion{}), Modal(RecoveryQuestion{})}) {
+    screen.model.modal = modal;
+    screen.settle();
+    look();
+  }
   for (const ActionInfo& action : action_table()) {
     const std::string label(action.label);
     const bool is_drawn = names.contains(label) || names.contains("menu: " + label) ||
