@@ -49,7 +49,7 @@ void add_format_options(CLI::App& command, MeshOutput& output) {
   command.add_option("--format", output.format, "Write obj, ply, off or stl, whatever the ending")
       ->transform(CLI::CheckedTransformer(words).description(""))
       ->type_name("WORD")
-      ->default_str("as the ending says; obj on standard output");
+      ->default_str("by the ending");
   command.add_flag("--ascii", output.is_text, "Write PLY as text, not as binary data");
 }
 

@@ -131,7 +131,7 @@ Result<void> refine_all(const RefineOptions& options) {
       return refine_and_write(one);
     });
   }
-  const Result<void> result = batch.result();
+  Result<void> result = batch.result();
   if (options.json && (result || options.inputs.size() > 1)) {
     fmt::print("{}\n", batch.report().dump(2));
   }
