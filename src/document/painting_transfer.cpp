@@ -52,7 +52,7 @@ class PointGrid {
   PointGrid(std::span<const glm::dvec3> points, double radius)
       : points_(points), radius_(radius), cells_(points.size()) {
     for (std::uint32_t v = 0; v < points.size(); ++v) {
-      cells_[v] = {cell_of(coordinates(points[v])), v};
+      cells_[v] = {hash_of(cell_at(points[v])), v};
     }
     std::ranges::sort(cells_);
   }
@@ -61,12 +61,12 @@ class PointGrid {
   [[nodiscard]] std::uint32_t nearest(const glm::dvec3& point) const {
     std::uint32_t nearest = kNone;
     double shortest = radius_ * radius_;
-    const glm::dvec3 low = coordinates(point - radius_);
-    const glm::dvec3 high = coordinates(point + radius_);
-    for (double x = low.x; x <= high.x; ++x) {
-      for (double y = low.y; y <= high.y; ++y) {
-        for (double z = low.z; z <= high.z; ++z) {
-          look_in(cell_of({x, y, z}), point, nearest, shortest);
+    const Cell low = cell_at(point - radius_);
+    const Cell high = cell_at(point + radius_);
+    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          look_in(hash_of({x, y, z}), point, nearest, shortest);
         }
       }
     }
@@ -74,32 +74,31 @@ class PointGrid {
   }
 
  private:
-  struct Entry {
-    std::uint64_t cell = 0;
-    std::uint32_t point = 0;
-    [[nodiscard]] auto operator<=>(const Entry&) const = default;
-  };
+  using Cell = std::array<std::int64_t, 3>;
+  using Entry = std::pair<std::uint64_t, std::uint32_t>;  ///< A cell's hash, and a point in it.
 
   /// Cells are four radii wide: at most two of them along an axis hold what is within a radius.
-  [[nodiscard]] glm::dvec3 coordinates(const glm::dvec3& point) const {
-    return glm::floor(point / (4.0 * radius_));
+  [[nodiscard]] Cell cell_at(const glm::dvec3& point) const {
+    const glm::dvec3 cell = glm::floor(point / (4.0 * radius_));
+    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
+            static_cast<std::int64_t>(cell.z)};
   }
-  static std::uint64_t cell_of(const glm::dvec3& coordinates) {
+  static std::uint64_t hash_of(const Cell& cell) {
     std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      hash = mixed(hash, static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinates[axis])));
+    for (const std::int64_t coordinate : cell) {
+      hash = mixed(hash, static_cast<std::uint64_t>(coordinate));
     }
     return hash;
   }
-  void look_in(std::uint64_t cell, const glm::dvec3& point, std::uint32_t& nearest,
+  void look_in(std::uint64_t hash, const glm::dvec3& point, std::uint32_t& nearest,
                double& shortest) const {
-    auto at = std::ranges::lower_bound(cells_, cell, {}, &Entry::cell);
-    for (; at != cells_.end() && at->cell == cell; ++at) {
-      const glm::dvec3 way = points_[at->point] - point;
+    auto at = std::ranges::lower_bound(cells_, hash, {}, &Entry::first);
+    for (; at != cells_.end() && at->first == hash; ++at) {
+      const glm::dvec3 way = points_[at->second] - point;
       const double length = glm::dot(way, way);
-      if (length < shortest || (length == shortest && at->point < nearest)) {
+      if (length < shortest || (length == shortest && at->second < nearest)) {
         shortest = length;
-        nearest = at->point;
+        nearest = at->second;
       }
     }
   }

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <sys/types.h>
 
-// NOLINTBEGIN(bugprone-reserved-identifier, cppcoreguidelines-pro-type-vararg): as the linker has
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): as the linker has
 // it.
 namespace {
 
@@ -100,7 +100,7 @@ int __wrap_fchmod(int file, mode_t mode) {
 }
 
 }  // extern "C"
-// NOLINTEND(bugprone-reserved-identifier, cppcoreguidelines-pro-type-vararg)
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
 namespace limn::test {
 
