@@ -37,7 +37,7 @@ std::string repeated(const std::string& text, std::size_t times) {
   return result;
 }
 
-const std::string ObjVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string kObjVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 std::string ply_header(const std::string& format, const std::string& vertices,
                        const std::string& faces, const std::string& list = "uchar int") {
@@ -111,7 +111,7 @@ void add_number(Files& files, const std::string& name, const std::string& number
 
 /// Every format as text with one index of a face replaced.
 void add_index(Files& files, const std::string& name, const std::string& index) {
-  files.push_back({name + ".obj", ObjVertices + "f 1 2 " + index + "\n"});
+  files.push_back({name + ".obj", kObjVertices + "f 1 2 " + index + "\n"});
   files.push_back({name + ".ply",
                    ply_header("ascii", "3", "1") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 " + index + "\n"});
   files.push_back({name + ".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 " + index + "\n"});
@@ -275,7 +275,7 @@ void add_numbers(Files& files) {
                             "99999999999999999999", "1.5", "x", "nan", "1e3"}) {
     add_index(files, fmt::format("index{}", files.size()), index);
   }
-  files.push_back({"index0.obj", ObjVertices + "f 0 1 2\n"});
+  files.push_back({"index0.obj", kObjVertices + "f 0 1 2\n"});
   for (const float value :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e38f}) {
     std::string bytes = stl_binary();
@@ -330,22 +330,23 @@ void add_obj_statements(Files& files) {
   };
   for (const auto& [line, is_bad] : lines) {
     files.push_back({fmt::format("statement{}.obj", files.size()),
-                     ObjVertices + "f 1 2 3\n" + line + "\nf 1 3 4\n", is_bad});
+                     kObjVertices + "f 1 2 3\n" + line + "\nf 1 3 4\n", is_bad});
   }
 }
 
 void add_large(Files& files, std::size_t scale) {
   const std::size_t n = 20000 * scale;
   files.push_back({"long_comment.obj",
-                   "#" + std::string(10 * n, 'x') + "\n" + ObjVertices + "f 1 2 3 4\n", false});
-  files.push_back({"long_word.obj", ObjVertices + "f 1 2 " + std::string(10 * n, '1') + "\n"});
+                   "#" + std::string(10 * n, 'x') + "\n" + kObjVertices + "f 1 2 3 4\n", false});
+  files.push_back({"long_word.obj", kObjVertices + "f 1 2 " + std::string(10 * n, '1') + "\n"});
   files.push_back({"long_number.obj",
                    "v 0." + std::string(10 * n, '1') + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", false});
-  files.push_back({"continuations.obj", ObjVertices + "f 1 2 3" + repeated(" \\\n", n), false});
-  files.push_back({"backslashes.obj", ObjVertices + "f 1 2 3 " + std::string(5 * n, '\\')});
-  files.push_back({"spaced_backslashes.obj", ObjVertices + "f 1 2 3" + repeated(" \\ ", n) + "\n"});
+  files.push_back({"continuations.obj", kObjVertices + "f 1 2 3" + repeated(" \\\n", n), false});
+  files.push_back({"backslashes.obj", kObjVertices + "f 1 2 3 " + std::string(5 * n, '\\')});
   files.push_back(
-      {"carriage_returns.obj", std::string(10 * n, '\r') + ObjVertices + "f 1 2 3 4\n", false});
+      {"spaced_backslashes.obj", kObjVertices + "f 1 2 3" + repeated(" \\ ", n) + "\n"});
+  files.push_back(
+      {"carriage_returns.obj", std::string(10 * n, '\r') + kObjVertices + "f 1 2 3 4\n", false});
   std::string polygon = "f";
   std::string points;
   std::string fan;
@@ -364,7 +365,7 @@ void add_large(Files& files, std::size_t scale) {
   files.push_back({"fan.obj", points + fan, false});
   files.push_back({"same_face.obj", points + same, false});
   files.push_back({"crowded_edge.obj", points + doubled, false});
-  files.push_back({"words.obj", words + ObjVertices + "f 1 2 3 4\n", false});
+  files.push_back({"words.obj", words + kObjVertices + "f 1 2 3 4\n", false});
   files.push_back({"polygon_again.obj", points + polygon + polygon.substr(1) + "\n", false});
   std::string soup = "OFF\n3 " + std::to_string(n) + " 0\n0 0 0\n1 0 0\n0 1 0\n";
   files.push_back({"empty_faces.off", soup + repeated("0\n", n)});
@@ -382,15 +383,15 @@ void add_large(Files& files, std::size_t scale) {
 Files sound_files() {
   const std::string uvs = "vt 0 0\nvt 1 0\nvt 1 1\n";
   return {
-      {"sound.obj", ObjVertices + "f 1 2 3 4\n", false},
+      {"sound.obj", kObjVertices + "f 1 2 3 4\n", false},
       {"sound_rich.obj",
-       "mtllib a.mtl\no box\ng left side\nusemtl red\n" + ObjVertices + "v 9 9 9\n" + uvs +
+       "mtllib a.mtl\no box\ng left side\nusemtl red\n" + kObjVertices + "v 9 9 9\n" + uvs +
            "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nt limn_depth 1/0/0 3\ng right\nusemtl blue\n"
            "f 1/1 3/3 \\\n 4/2\nt crease 2/1/0 0 2 2.5\nt corner 1/1/0 1 10\n"
            "t interpolateboundary 1/0/0 2\nt creasemethod 0/0/1 chaikin\n",
        false},
       {"sound_depths.obj",
-       "\xEF\xBB\xBF" + ObjVertices + "usemtl depth_2\nf -4 -3 -2\nusemtl depth_0.001\nf 1 3 4\n",
+       "\xEF\xBB\xBF" + kObjVertices + "usemtl depth_2\nf -4 -3 -2\nusemtl depth_0.001\nf 1 3 4\n",
        false},
       {"sound.ply", ply_text(), false},
       {"sound_little.ply", ply_binary(false), false},

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string Triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 class ImportMesh : public testing::Test {
  protected:
@@ -47,7 +47,7 @@ class ImportMesh : public testing::Test {
 
 TEST_F(ImportMesh, ReadsFilesWhateverTheCaseOfTheirEnding) {
   for (const char* name : {"a.obj", "b.OBJ", "c.d.Obj", "name with spaces \xC3\xA4.obj"}) {
-    const auto imported = import_mesh(write(name, Triangle));
+    const auto imported = import_mesh(write(name, kTriangle));
     ASSERT_TRUE(imported.has_value()) << to_string(imported.error());
     EXPECT_EQ(imported->mesh->face_count(), 1U);
   }
@@ -56,7 +56,7 @@ TEST_F(ImportMesh, ReadsFilesWhateverTheCaseOfTheirEnding) {
 }
 
 TEST_F(ImportMesh, ErrorsInTheTextNameThePathAndTheLine) {
-  const fs::path path = write("bad.obj", Triangle + "f 1 2 x\n");
+  const fs::path path = write("bad.obj", kTriangle + "f 1 2 x\n");
   const auto imported = import_mesh(path);
   ASSERT_FALSE(imported.has_value());
   EXPECT_THAT(to_string(imported.error()), StartsWith(path.string() + ":5: \"x\" is not"));
@@ -65,7 +65,7 @@ TEST_F(ImportMesh, ErrorsInTheTextNameThePathAndTheLine) {
 TEST_F(ImportMesh, NeverOpensMaterials) {
   // Reading a pipe that nobody writes to would wait for ever.
   ASSERT_EQ(::mkfifo((folder_ / "pipe.mtl").c_str(), 0600), 0);
-  EXPECT_TRUE(import_mesh(write("a.obj", "mtllib pipe.mtl\n" + Triangle)).has_value());
+  EXPECT_TRUE(import_mesh(write("a.obj", "mtllib pipe.mtl\n" + kTriangle)).has_value());
 }
 
 TEST_F(ImportMesh, ReadsUtf16WithItsMark) {
@@ -75,7 +75,7 @@ TEST_F(ImportMesh, ReadsUtf16WithItsMark) {
       wide += static_cast<char>(is_big ? unit >> 8 : unit & 255);
       wide += static_cast<char>(is_big ? unit & 255 : unit >> 8);
     }
-    for (const char c : Triangle + "o \n") {
+    for (const char c : kTriangle + "o \n") {
       wide += is_big ? '\0' : c;
       wide += is_big ? c : '\0';
     }
@@ -97,7 +97,7 @@ TEST_F(ImportMesh, TheContentSaysMoreThanTheEnding) {
   const std::string stl =
       "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
       "endloop\nendfacet\nendsolid\n";
-  for (const std::string& text : {Triangle, ply, off, stl}) {
+  for (const std::string& text : {kTriangle, ply, off, stl}) {
     for (const char* name : {"a.obj", "a.PLY", "a.off", "a.Stl", "a.txt", "a", "a.limn"}) {
       const auto imported = import_mesh(write(name, text));
       ASSERT_TRUE(imported.has_value()) << to_string(imported.error());
@@ -116,12 +116,12 @@ TEST_F(ImportMesh, RefusesWhatCannotBeRead) {
   fs::create_directory(folder_ / "folder.obj");
   EXPECT_THAT(refusal(folder_ / "folder.obj"), HasSubstr("is a folder"));
   EXPECT_THAT(refusal(folder_), HasSubstr("is a folder"));
-  EXPECT_THAT(refusal(write("a.obj", Triangle) / "b.obj"), HasSubstr("Not a directory"));
+  EXPECT_THAT(refusal(write("a.obj", kTriangle) / "b.obj"), HasSubstr("Not a directory"));
   EXPECT_THAT(refusal(folder_ / (std::string(5000, 'x') + ".obj")), HasSubstr("Cannot read"));
   fs::create_symlink("loop.obj", folder_ / "loop.obj");
   EXPECT_THAT(refusal(folder_ / "loop.obj"), HasSubstr("Cannot read"));
   if (::geteuid() != 0) {  // Nothing is unreadable for root.
-    const fs::path secret = write("secret.obj", Triangle);
+    const fs::path secret = write("secret.obj", kTriangle);
     fs::permissions(secret, fs::perms::none);
     EXPECT_THAT(refusal(secret), HasSubstr("Permission denied"));
   }
@@ -148,7 +148,7 @@ TEST_F(ImportMesh, RefusesEmptyBinaryAndHugeFiles) {
   EXPECT_EQ(refusal(write("empty.obj", "")), "The file is empty.");
   EXPECT_THAT(refusal(write("binary.obj", std::string("\1\2ELF\0\1\2", 8))),
               HasSubstr("binary data"));
-  const fs::path huge = write("huge.obj", Triangle);
+  const fs::path huge = write("huge.obj", kTriangle);
   if (::truncate(huge.c_str(), off_t{5} << 30) == 0) {  // Sparse: takes no room on the disk.
     EXPECT_EQ(refusal(huge), "The file has 5368709120 bytes; files of up to 4 GiB are read.");
   }

@@ -24,7 +24,7 @@ using testing::IsEmpty;
 using testing::StartsWith;
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-const std::string Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 /// The mesh of a text that must be accepted.
 ImportedMesh read(const std::string& text) {
@@ -53,7 +53,7 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(ImportObj, ReadsPolygonsOfAnySize) {
-  const ImportedMesh imported = read(Square +
+  const ImportedMesh imported = read(kSquare +
                                      "v 2 0.5 0.1\nv 0.5 2 0\nv 0.2 3 0\nf 1 2 3 4\n"
                                      "f 2 5 3\nf 4 3 6 7 \n");
   EXPECT_EQ(faces_of(*imported.mesh), (Faces{{0, 1, 2, 3}, {1, 4, 2}, {3, 2, 5, 6}}));
@@ -74,7 +74,7 @@ TEST(ImportObj, CornersInEveryForm) {
         "f 1/ 2// 3/1/ 4", "f -4 -3 -2 -1", "f -4/-2/-1 2/-1 3//-1 -1", "\tf  1\t2  3\t 4  ",
         "f +1 +2 03 4", "f 1 2 3 4 # a comment", "f 1 2 3 4\t#a comment", "fo 1 2 3 4",
         "  fo 1 2 3 4"}) {
-    EXPECT_EQ(faces_in(Square + rest + face), (Faces{{0, 1, 2, 3}})) << face;
+    EXPECT_EQ(faces_in(kSquare + rest + face), (Faces{{0, 1, 2, 3}})) << face;
   }
 }
 
@@ -84,11 +84,11 @@ TEST(ImportObj, NegativeIndicesCountFromWhereTheyStand) {
 }
 
 TEST(ImportObj, FacesMayComeBeforeTheirVertices) {
-  EXPECT_EQ(faces_in("f 1 2 3 4\n" + Square), (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(faces_in("f 1 2 3 4\n" + kSquare), (Faces{{0, 1, 2, 3}}));
 }
 
 TEST(ImportObj, LineEndsAndByteOrderMark) {
-  std::string text = "\xEF\xBB\xBF# box\n" + Square + "\n\n   \nf 1 2 \\\n  3 \\\n4";
+  std::string text = "\xEF\xBB\xBF# box\n" + kSquare + "\n\n   \nf 1 2 \\\n  3 \\\n4";
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string ended;
     for (const char c : text) {
@@ -102,12 +102,12 @@ TEST(ImportObj, LineEndsAndByteOrderMark) {
 TEST(ImportObj, Continuations) {
   EXPECT_EQ(faces_in("v 0 0 \\\n0\nv 1\\\n 0 0\nv 1 1 0\nv 0 1 0\nf\\\n 1 2 3\\\n\\\n 4"),
             (Faces{{0, 1, 2, 3}}));
-  EXPECT_EQ(faces_in(Square + "f 1 2 3 \\  \n 4\n"), (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(faces_in(kSquare + "f 1 2 3 \\  \n 4\n"), (Faces{{0, 1, 2, 3}}));
   // At the very end there is nothing to go on with.
-  EXPECT_EQ(faces_in(Square + "f 1 2 3 4 \\"), (Faces{{0, 1, 2, 3}}));
-  EXPECT_EQ(faces_in(Square + "f 1 2 3 4 \\\n"), (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(faces_in(kSquare + "f 1 2 3 4 \\"), (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(faces_in(kSquare + "f 1 2 3 4 \\\n"), (Faces{{0, 1, 2, 3}}));
   // A comment that ends in a Windows folder does not swallow the next line.
-  EXPECT_EQ(faces_in("# C:\\meshes\\\n" + Square + "  # \\\nf 1 2 3 4\n"), (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(faces_in("# C:\\meshes\\\n" + kSquare + "  # \\\nf 1 2 3 4\n"), (Faces{{0, 1, 2, 3}}));
 }
 
 TEST(ImportObj, NumbersAreReadToTheLastBit) {
@@ -139,7 +139,7 @@ TEST(ImportObj, NumbersDoNotDependOnTheLocale) {
 }
 
 TEST(ImportObj, MalformedNumbersAreErrorsWithTheirLine) {
-  EXPECT_EQ(refusal(Square + "v 1 x 0\nf 1 2 3"), "text.obj:5: \"x\" is not a number.");
+  EXPECT_EQ(refusal(kSquare + "v 1 x 0\nf 1 2 3"), "text.obj:5: \"x\" is not a number.");
   for (const char* number : {"1,5", "1.2.3", "0x10", "1e", "1e+", "--1", "+-1", ".", "-", "1.#IND",
                              "3.1+e2", "1f", "\x01", "1/2", "\xC3\xA4"}) {
     EXPECT_THAT(refusal("v 0 0 " + std::string(number) + "\n"),
@@ -157,14 +157,14 @@ TEST(ImportObj, MalformedNumbersAreErrorsWithTheirLine) {
 
 TEST(ImportObj, NonFiniteCoordinatesAreErrorsWithTheirLine) {
   for (const char* number : {"nan", "-nan", "NaN", "inf", "-Infinity", "1e400", "-1e999"}) {
-    EXPECT_THAT(refusal(Square + "# more\nv 0 " + std::string(number) + " 0\nf 1 2 3"),
+    EXPECT_THAT(refusal(kSquare + "# more\nv 0 " + std::string(number) + " 0\nf 1 2 3"),
                 StartsWith("text.obj:6: This vertex has a coordinate that is not a finite number"))
         << number;
   }
 }
 
 TEST(ImportObj, MalformedFacesAreErrorsWithTheirLine) {
-  const auto refuse_face = [](const std::string& face) { return refusal(Square + face); };
+  const auto refuse_face = [](const std::string& face) { return refusal(kSquare + face); };
   EXPECT_THAT(refuse_face("f 1 2 3 0"), HasSubstr("text.obj:5: A face names vertex 0;"));
   EXPECT_THAT(refuse_face("f 1 2 -5"), HasSubstr("text.obj:5: A face names vertex -5, counted back "
                                                  "from here, but only 4 stand before it."));
@@ -193,7 +193,7 @@ TEST(ImportObj, MessagesShowNoControlCharacters) {
 
 TEST(ImportObj, NothingIsLostInSilence) {
   const ImportedMesh imported = read(
-      "mtllib missing.mtl\no box\n" + Square +
+      "mtllib missing.mtl\no box\n" + kSquare +
       "v 0 0 1 0.5\nv 1 0 1 0.1 0.2 0.3\nv 1 1 1 1\n"
       "vt 0 0 0.5\nvt 1 1\nvn 0 0 1\nvp 0.5\ng a b\nusemtl red\ns 1\nf 1 2 3 4\ns off\nf 5 6 2 1\n"
       "f 6 7 3 2\nl 1 2\nl 2 3\np 1\ncstype bspline\ndeg 3\ncurv 0 1 1 2\nend\nsurf 0 1 0 1 1 2\n"
@@ -213,7 +213,7 @@ TEST(ImportObj, NothingIsLostInSilence) {
 }
 
 TEST(ImportObj, UnknownStatementsAreSummedUp) {
-  std::string text = Square + "f 1 2 3 4\n";
+  std::string text = kSquare + "f 1 2 3 4\n";
   for (int i = 0; i < 500; ++i) {
     text += "word" + std::to_string(i) + " 1\n";
   }
@@ -224,7 +224,7 @@ TEST(ImportObj, UnknownStatementsAreSummedUp) {
 }
 
 TEST(ImportObj, MendsWithAReport) {
-  const ImportedMesh imported = read(Square +
+  const ImportedMesh imported = read(kSquare +
                                      "v 5 5 5\nv 2 1 0\nv 2 2 0\nf 1 2 3 3\nf 1 4 3\n"
                                      "f 3 6 7\n");
   EXPECT_EQ(faces_of(*imported.mesh), (Faces{{0, 1, 2}, {0, 2, 3}, {6, 4, 5}}));
@@ -243,11 +243,11 @@ TEST(ImportObj, RefusesWhatIsNoMesh) {
   EXPECT_THAT(refusal("\xEF\xBB\xBF"), HasSubstr("neither vertices nor faces"));
   EXPECT_THAT(refusal("\\\n\\"), HasSubstr("neither vertices nor faces"));
   EXPECT_THAT(refusal("# nothing\n"), HasSubstr("neither vertices nor faces"));
-  EXPECT_THAT(refusal(Square + "l 1 2\n"),
+  EXPECT_THAT(refusal(kSquare + "l 1 2\n"),
               HasSubstr("text.obj: There are 4 vertices but no faces to paint on. What there is: "
                         "1 line element."));
   EXPECT_THAT(refusal("solid cube\nfacet normal 0 0 1\n"), HasSubstr("\"solid\" statement"));
-  EXPECT_THAT(refusal(Square + std::string("f 1 2 3\0", 8)), HasSubstr("binary data"));
+  EXPECT_THAT(refusal(kSquare + std::string("f 1 2 3\0", 8)), HasSubstr("binary data"));
 }
 
 TEST(ImportObj, LongLinesAndPolygons) {

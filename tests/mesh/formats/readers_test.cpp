@@ -42,10 +42,10 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(text.find(what), what.size(), by);
 }
 
-const std::string PlyHead =
+const std::string kPlyHead =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
-const std::string PlyPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kPlyPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 TEST(ReadPly, TextAndBothByteOrdersSayTheSame) {
   for (const char* name : {"sound.ply", "sound_little.ply", "sound_big.ply"}) {
@@ -78,7 +78,7 @@ TEST(ReadPly, PropertiesOfEveryKindAnywhere) {
 }
 
 TEST(ReadPly, PlacesAreLinesOrBytes) {
-  const PolygonSoup text = read(MeshFormat::kPly, PlyHead + "\n" + PlyPoints + "\n\n4 0 1 2 3\n");
+  const PolygonSoup text = read(MeshFormat::kPly, kPlyHead + "\n" + kPlyPoints + "\n\n4 0 1 2 3\n");
   EXPECT_EQ(text.place_unit, PlaceUnit::kLine);
   EXPECT_THAT(text.vertex_places, ElementsAre(11, 12, 13, 14));
   EXPECT_THAT(text.face_places, ElementsAre(17));
@@ -117,13 +117,13 @@ TEST(ReadPly, ListsOfTwoHundredAndFiftyFive) {
 
 TEST(ReadPly, TextOfAFloatIsAFloat) {
   const std::string number = "0.1 0 0\n";
-  const std::string text = PlyHead + number + PlyPoints.substr(6) + "4 0 1 2 3\n";
+  const std::string text = kPlyHead + number + kPlyPoints.substr(6) + "4 0 1 2 3\n";
   EXPECT_EQ(read(MeshFormat::kPly, text).positions[0].x, static_cast<double>(0.1f));
   EXPECT_EQ(read(MeshFormat::kPly, replaced(text, "float x", "double x")).positions[0].x, 0.1);
 }
 
 TEST(ReadPly, LineEndsOfAnyKind) {
-  const std::string text = PlyHead + PlyPoints + "4 0 1 2 3";
+  const std::string text = kPlyHead + kPlyPoints + "4 0 1 2 3";
   for (const std::string end : {"\r", "\r\n"}) {
     std::string ended;
     for (const char c : text) {
@@ -138,16 +138,16 @@ TEST(ReadPly, LineEndsOfAnyKind) {
 }
 
 TEST(ReadPly, RefusesWithPlaceAndReason) {
-  EXPECT_EQ(refusal(MeshFormat::kPly, replaced(PlyHead, "float x", "floot x")),
+  EXPECT_EQ(refusal(MeshFormat::kPly, replaced(kPlyHead, "float x", "floot x")),
             "file:4: \"floot\" is no type of a PLY property.");
-  EXPECT_EQ(refusal(MeshFormat::kPly, replaced(PlyHead, "vertex 4", "vertex 400")),
+  EXPECT_EQ(refusal(MeshFormat::kPly, replaced(kPlyHead, "vertex 4", "vertex 400")),
             "file:3: The file announces 400 \"vertex\" elements and ends before it could hold "
             "them; 0 bytes follow the header.");
-  EXPECT_EQ(refusal(MeshFormat::kPly, PlyHead + PlyPoints + "4 0 1 2 x\n"),
+  EXPECT_EQ(refusal(MeshFormat::kPly, kPlyHead + kPlyPoints + "4 0 1 2 x\n"),
             "file:14: \"x\" is not a number.");
-  EXPECT_EQ(refusal(MeshFormat::kPly, PlyHead + PlyPoints + "4 0 1 2 -1\n"),
+  EXPECT_EQ(refusal(MeshFormat::kPly, kPlyHead + kPlyPoints + "4 0 1 2 -1\n"),
             "file:14: -1 is not the number of a vertex.");
-  EXPECT_EQ(refusal(MeshFormat::kPly, PlyHead + PlyPoints + "4 0 1 2 3 0\n"),
+  EXPECT_EQ(refusal(MeshFormat::kPly, kPlyHead + kPlyPoints + "4 0 1 2 3 0\n"),
             "file:14: \"0\" is one number more than this \"face\" has.");
   const std::string bytes = sound("sound_little.ply");
   EXPECT_EQ(refusal(MeshFormat::kPly, bytes.substr(0, bytes.size() - 1)),
@@ -156,7 +156,7 @@ TEST(ReadPly, RefusesWithPlaceAndReason) {
 }
 
 TEST(ReadPly, WhatFollowsIsCounted) {
-  EXPECT_THAT(read(MeshFormat::kPly, PlyHead + PlyPoints + "4 0 1 2 3\n1 2 3\n\n4\n").unused_data,
+  EXPECT_THAT(read(MeshFormat::kPly, kPlyHead + kPlyPoints + "4 0 1 2 3\n1 2 3\n\n4\n").unused_data,
               ElementsAre("2 lines after the last element"));
   EXPECT_THAT(read(MeshFormat::kPly, sound("sound_big.ply") + "abc").unused_data,
               ElementsAre("3 bytes after the last element"));
