@@ -65,7 +65,7 @@ class RecoveryTest : public testing::Test {
   }
   /// What is on disk now, as a kill would leave it: nobody holds the locks of the copy.
   [[nodiscard]] fs::path killed() {
-    const fs::path copy = scratch_ / ("killed" + std::to_string(++kills_));
+    fs::path copy = scratch_ / ("killed" + std::to_string(++kills_));
     std::error_code ignored;  // A file may go while it is copied.
     fs::create_directory(copy);
     fs::copy(common_, copy, fs::copy_options::recursive, ignored);

@@ -37,7 +37,6 @@ using test::read_file;
 using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::UnorderedElementsAre;
 
 constexpr int kNotAllowed = 77;
 
