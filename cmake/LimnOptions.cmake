@@ -15,6 +15,18 @@ target_compile_options(limn_options INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-maybe-uninitialized>)
 
+# What people run checks itself: the standard library its indices, the C library its buffers, every
+# function its stack, and the loader keeps what it has linked read-only.
+if(NOT LIMN_SANITIZER AND CMAKE_BUILD_TYPE STREQUAL "Release")
+  set(is_guarded $<NOT:$<BOOL:$<TARGET_PROPERTY:LIMN_TRUSTS_ITS_INDICES>>>)
+  target_compile_definitions(limn_options INTERFACE
+    $<${is_guarded}:_GLIBCXX_ASSERTIONS> _FORTIFY_SOURCE=2)
+  target_compile_options(limn_options INTERFACE
+    $<${is_guarded}:-fstack-protector-strong> $<${is_guarded}:-fstack-clash-protection>
+    $<$<STREQUAL:${CMAKE_SYSTEM_PROCESSOR},x86_64>:-fcf-protection>)
+  target_link_options(limn_options INTERFACE -Wl,-z,relro -Wl,-z,now)
+endif()
+
 if(LIMN_SANITIZER)
   target_compile_options(limn_options INTERFACE
     -fsanitize=${LIMN_SANITIZER} -fno-omit-frame-pointer -fno-sanitize-recover=all)
