@@ -1,7 +1,7 @@
 #include "support/mesh_difference.h"
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
 #include <map>
 #include <utility>
 #include <vector>
@@ -11,9 +11,18 @@
 namespace limn::test {
 namespace {
 
-template <class T>
-bool are_same_bits(const T& one, const T& other) {
-  return std::memcmp(&one, &other, sizeof one) == 0;
+bool is_same_number(double one, double other) {
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+}
+
+template <class Point>
+bool are_same_bits(const Point& one, const Point& other) {
+  for (int i = 0; i < Point::length(); ++i) {
+    if (!is_same_number(one[i], other[i])) {
+      return false;
+    }
+  }
+  return true;
 }
 
 template <class Point>
