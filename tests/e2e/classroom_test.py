@@ -142,7 +142,9 @@ def main():
                 check_side_by_side(program)
             finally:
                 program.kill()
-            check_refusal(executable, os.path.join(meshes, "cube.obj"), display, folder)
+            # In a folder of its own, or it would ask about the work of the one that was killed.
+            with Folder() as another:
+                check_refusal(executable, os.path.join(meshes, "cube.obj"), display, another)
         finally:
             display.close()
 
