@@ -17,6 +17,7 @@
 #include "mesh/manifold/fans.h"
 #include "mesh/manifold/mend_log.h"
 #include "mesh/manifold/orientation.h"
+#include "mesh/manifold/positions.h"
 #include "mesh/manifold/soup_names.h"
 
 namespace limn {
@@ -38,22 +39,24 @@ void expect_well_formed(const PolygonSoup& soup) {
   LIMN_EXPECTS(soup.face_uvs.empty() || soup.face_uvs.size() == soup.face_vertices.size());
 }
 
-/// Refined positions are single precision and get squared on the graphics card, so a coordinate has
-/// to stay well below the square root of what a float can hold.
-constexpr double largest_coordinate = 1e18;
-
+/// Of the vertices in faces: what lies in none may be set aside.
 Result<void> check_positions(const PolygonSoup& soup, const SoupNames& names) {
+  std::vector<std::uint8_t> is_used(soup.positions.size(), 0);
+  for (const std::uint32_t v : soup.face_vertices) {
+    is_used[v] = 1;
+  }
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
     const glm::dvec3& p = soup.positions[v];
+    if (is_used[v] == 0 || detail::is_usable(p)) {
+      continue;
+    }
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       return names.blame_vertex(
           v, fmt::format("has a coordinate that is not a finite number: {} {} {}.", p.x, p.y, p.z));
     }
-    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > largest_coordinate) {
-      return names.blame_vertex(v, fmt::format("lies too far out, at {} {} {}; coordinates up to "
-                                               "{} are read. Scale the mesh down.",
-                                               p.x, p.y, p.z, largest_coordinate));
-    }
+    return names.blame_vertex(v, fmt::format("lies too far out, at {} {} {}; coordinates up to "
+                                             "{} are read. Scale the mesh down.",
+                                             p.x, p.y, p.z, detail::kLargestCoordinate));
   }
   return {};
 }
@@ -160,7 +163,7 @@ std::vector<glm::dvec3> loose_vertices(const PolygonSoup& soup,
   }
   std::vector<glm::dvec3> loose;
   for (std::size_t v = 0; v < is_used.size(); ++v) {
-    if (is_used[v] == 0) {
+    if (is_used[v] == 0 && detail::is_usable(soup.positions[v])) {
       loose.push_back(soup.positions[v]);
     }
   }
@@ -196,7 +199,7 @@ Result<ImportedMesh> build_control_mesh(const PolygonSoup& soup, const BuildSett
     return with_source(std::move(size.error()));
   }
   if (auto finite =
-          check_positions(soup, names).and_then([&] { return check_indices(soup, names); });
+          check_indices(soup, names).and_then([&] { return check_positions(soup, names); });
       !finite) {
     return tl::unexpected<Error>(std::move(finite.error()));
   }

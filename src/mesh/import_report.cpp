@@ -43,6 +43,10 @@ constexpr std::array<KindText, kMendKindCount> Texts{{
     {MendKind::kLooseVertex, "isolated_vertices",
      "vertex is in no face; it is kept aside and written back.",
      "vertices are in no face; they are kept aside and written back."},
+    {MendKind::kBrokenVertex, "broken_vertices",
+     "vertex is in no face and has coordinates that are no usable numbers; it was left out.",
+     "vertices are in no face and have coordinates that are no usable numbers; they were left "
+     "out."},
     {MendKind::kLostCrease, "lost_creases",
      "crease tag was left out: it names no edge of the mesh.",
      "crease tags were left out: they name no edge of the mesh."},
@@ -121,7 +125,9 @@ std::string place_of(const ImportReport& report, const Mend& mend, const MendedE
     return fmt::format("{} {}", report.place_unit == PlaceUnit::kLine ? "line" : "byte",
                        element.place);
   }
-  const bool is_vertex = mend.kind == MendKind::kSplitVertex || mend.kind == MendKind::kLooseVertex;
+  const bool is_vertex = mend.kind == MendKind::kSplitVertex ||
+                         mend.kind == MendKind::kLooseVertex ||
+                         mend.kind == MendKind::kBrokenVertex;
   return fmt::format("{} {}", is_vertex ? "vertex" : "face", element.place);
 }
 

@@ -72,9 +72,9 @@ void expect_statistics(const Row& row, const ImportedMesh& imported) {
     return;  // The manifest leaves faces with repeated corners out of what follows.
   }
   EXPECT_EQ(mends(MendKind::kCrowdedEdge), number(row, "nmE"));
-  EXPECT_EQ(mends(MendKind::kLooseVertex), number(row, "iso"));
-  EXPECT_EQ(s.vertices + mends(MendKind::kLooseVertex),
-            number(row, "nV") + mends(MendKind::kSplitVertex));
+  const std::size_t isolated = mends(MendKind::kLooseVertex) + mends(MendKind::kBrokenVertex);
+  EXPECT_EQ(isolated, number(row, "iso"));
+  EXPECT_EQ(s.vertices + isolated, number(row, "nV") + mends(MendKind::kSplitVertex));
   EXPECT_EQ(mends(MendKind::kFlippedFace) + mends(MendKind::kOneSidedEdge) > 0,
             number(row, "oriE") > 0);
   EXPECT_EQ(sides_of(s), row.at("val"));
@@ -108,8 +108,8 @@ TEST(Corpus, EveryFileImportsOrIsRefusedForAReasonInTheManifest) {
     } else {
       EXPECT_EQ(imported.error().kind, ErrorKind::kBadInput);
       EXPECT_THAT(to_string(imported.error()), StartsWith((*corpus / row.at("path")).string()));
-      // A surface is refused only where its coordinates are broken.
       const bool is_surface = kind == "closed" || kind == "boundary";
+      // A surface is refused only where its own vertices lie nowhere.
       EXPECT_TRUE(!is_surface || number(row, "nanV") > 0) << to_string(imported.error());
     }
   }

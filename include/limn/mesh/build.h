@@ -24,10 +24,10 @@ struct BuildSettings {
 
 /// Validates a soup and makes the half-edge control mesh of it.
 ///
-/// Refused, kBadInput, naming the place of the first culprit: no faces, coordinates that are not
-/// finite or beyond 1e18 (refined meshes are single precision), an index out of range, more
-/// elements than half-edges can number, and a face that meets a vertex twice where the faces around
-/// that vertex join both meetings.
+/// Refused, kBadInput, naming the place of the first culprit: no faces, a vertex of a face with
+/// coordinates that are not finite or beyond 1e18 (refined meshes are single precision), an index
+/// out of range, more elements than half-edges can number, and a face that meets a vertex twice
+/// where the faces around that vertex join both meetings.
 ///
 /// Everything else is mended, in this order, each step counted in the report:
 ///   1. A corner that repeats the one before is merged with it. Faces that are left with fewer than
@@ -41,7 +41,8 @@ struct BuildSettings {
 ///      straightest first; the others end there. No other edge is torn.
 ///   4. A vertex where several fans of faces meet, by itself or after the cuts above, is given a
 ///      copy for every further fan.
-///   5. Vertices in no face are set aside (MeshAttributes::loose_vertices).
+///   5. Vertices in no face are set aside (MeshAttributes::loose_vertices), or left out where their
+///      coordinates are no usable numbers.
 ///   6. Tags, texture coordinates and depths that fit nothing are left out or made to fit.
 /// With `is_strict`, what would be mended is refused instead, kBadInput, naming the first culprit.
 ///

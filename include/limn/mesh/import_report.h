@@ -24,6 +24,7 @@ enum class MendKind {
   kCrowdedEdge,        ///< Had three or more faces; pairs stay joined, the rest is detached.
   kSplitVertex,        ///< Joined several fans of faces; a copy is added for each further one.
   kLooseVertex,        ///< In no face; kept aside and written back.
+  kBrokenVertex,       ///< In no face, with coordinates that are no usable numbers; left out.
   kLostCrease,         ///< A crease tag between vertices that share no edge; left out.
   kLostCorner,         ///< A corner tag on a vertex of no face; left out.
   kNegativeSharpness,  ///< A tag with a sharpness below 0, taken as 0.
@@ -32,7 +33,7 @@ enum class MendKind {
   kBrokenUv,           ///< Texture coordinates that are not finite or beyond 1e18; became 0.
   kCappedDepth,        ///< A painted depth beyond the greatest there is; became that.
 };
-inline constexpr std::size_t kMendKindCount = 14;
+inline constexpr std::size_t kMendKindCount = 15;
 
 /// What a report calls a kind where programs read it: "flipped_faces".
 [[nodiscard]] std::string_view name_of(MendKind kind) noexcept;

@@ -63,12 +63,21 @@ class ObjText {
   std::string joined_words();
   void skip_words();
   bool check_indices();
+  bool check_malformed();
   void finish();
   bool refuse(std::string message) { return refuse(cursor_.line(), std::move(message)); }
   bool refuse(std::uint32_t line, std::string message);
 
+  /// A coordinate that is no number.
+  struct Malformed {
+    std::uint32_t vertex;
+    std::uint32_t line;
+    std::string message;
+  };
+
   TextCursor cursor_;
   PolygonSoup soup_;
+  std::vector<Malformed> malformed_;
   UnusedData unused_;
   std::uint32_t line_ = 1;  ///< On which the statement begins.
   NameLayer objects_;
@@ -87,7 +96,7 @@ Result<PolygonSoup> ObjText::read() {
       return tl::unexpected<Error>(std::move(error_));
     }
   } while (cursor_.next_line());
-  if (!check_indices()) {
+  if (!check_indices() || !check_malformed()) {
     return tl::unexpected<Error>(std::move(error_));
   }
   finish();
@@ -168,7 +177,9 @@ bool ObjText::read_vertex() {
           "eight numbers.");
     }
     if (!parse_number(word, numbers[count])) {
-      return refuse(fmt::format("{} is not a number.", quoted(word)));
+      numbers[count] = std::numeric_limits<double>::quiet_NaN();
+      malformed_.push_back({static_cast<std::uint32_t>(soup_.positions.size()), cursor_.line(),
+                            fmt::format("{} is not a number.", quoted(word))});
     }
     ++count;
   }
@@ -317,6 +328,23 @@ bool ObjText::check_indices() {
                       fmt::format("A face names vertex {}, but the file has {}.", v + 1ULL,
                                   counted(soup_.positions.size(), "vertex", "vertices")));
       }
+    }
+  }
+  return true;
+}
+
+/// Numbers that could not be read do no harm in vertices of no face, where there are others.
+bool ObjText::check_malformed() {
+  if (malformed_.empty()) {
+    return true;
+  }
+  std::vector<std::uint8_t> is_used(soup_.positions.size(), 0);
+  for (const std::uint32_t v : soup_.face_vertices) {
+    is_used[v] = 1;
+  }
+  for (Malformed& malformed : malformed_) {
+    if (is_used[malformed.vertex] != 0 || soup_.face_count() == 0) {
+      return refuse(malformed.line, std::move(malformed.message));
     }
   }
   return true;

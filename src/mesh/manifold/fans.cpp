@@ -58,7 +58,7 @@ std::vector<std::uint32_t> separate_fans(WorkingFaces& faces, const FanOwners& o
       new_numbers[v] = static_cast<std::uint32_t>(sources.size());
       sources.push_back(v);
     } else {
-      log.add_vertex(MendKind::kLooseVertex, v);
+      log.add_loose_vertex(v);
     }
   }
   const std::size_t kept = sources.size();

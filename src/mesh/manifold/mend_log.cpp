@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/manifold/positions.h"
+
 namespace limn::detail {
 namespace {
 
@@ -47,6 +49,15 @@ void MendLog::add_face(MendKind kind, std::uint32_t face) {
 
 void MendLog::add_vertex(MendKind kind, std::uint32_t vertex) {
   report_.add(kind, {kNone, {vertex, kNone}, vertex_place(vertex), soup_.positions[vertex]});
+}
+
+void MendLog::add_loose_vertex(std::uint32_t vertex) {
+  if (is_usable(soup_.positions[vertex])) {
+    add_vertex(MendKind::kLooseVertex, vertex);
+  } else {
+    report_.add(MendKind::kBrokenVertex,
+                {kNone, {vertex, kNone}, vertex_place(vertex), glm::dvec3(0.0)});
+  }
 }
 
 void MendLog::add_edge(MendKind kind, std::uint32_t face, std::uint32_t from, std::uint32_t to) {

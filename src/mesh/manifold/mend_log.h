@@ -14,6 +14,8 @@ class MendLog {
 
   void add_face(MendKind kind, std::uint32_t face);
   void add_vertex(MendKind kind, std::uint32_t vertex);
+  /// One in no face: kLooseVertex, or kBrokenVertex where it lies nowhere.
+  void add_loose_vertex(std::uint32_t vertex);
   /// `face` is one at the edge.
   void add_edge(MendKind kind, std::uint32_t face, std::uint32_t from, std::uint32_t to);
   /// For attributes, which are not told one by one.

@@ -139,7 +139,7 @@ TEST(ImportObj, NumbersDoNotDependOnTheLocale) {
 }
 
 TEST(ImportObj, MalformedNumbersAreErrorsWithTheirLine) {
-  EXPECT_EQ(refusal(kSquare + "v 1 x 0\nf 1 2 3"), "text.obj:5: \"x\" is not a number.");
+  EXPECT_EQ(refusal(kSquare + "v 1 x 0\nf 1 2 5"), "text.obj:5: \"x\" is not a number.");
   for (const char* number : {"1,5", "1.2.3", "0x10", "1e", "1e+", "--1", "+-1", ".", "-", "1.#IND",
                              "3.1+e2", "1f", "\x01", "1/2", "\xC3\xA4"}) {
     EXPECT_THAT(refusal("v 0 0 " + std::string(number) + "\n"),
@@ -155,9 +155,20 @@ TEST(ImportObj, MalformedNumbersAreErrorsWithTheirLine) {
   EXPECT_THAT(refusal("v 1 2 3\rv 1 \\\r 2\\\r\roops\r"), StartsWith("text.obj:2: A vertex needs"));
 }
 
+TEST(ImportObj, BrokenVerticesInNoFaceAreLeftOutAndTold) {
+  const ImportedMesh imported = read(kSquare + "v 1 2.5.5 0\nv 8 8 8\nv nan 0 0\nf 1 2 3\n");
+  EXPECT_EQ(imported.mesh->vertex_count(), 3U);
+  EXPECT_EQ(imported.report.count(MendKind::kLooseVertex), 2U);
+  EXPECT_EQ(imported.mesh->attributes().loose_vertices.size(), 2U);
+  EXPECT_EQ(imported.report.count(MendKind::kBrokenVertex), 2U);
+  ASSERT_FALSE(imported.report.mends.empty());
+  EXPECT_EQ(imported.report.mends.back().elements.at(0).place, 5U);
+  EXPECT_EQ(imported.report.mends.back().elements.at(1).place, 7U);
+}
+
 TEST(ImportObj, NonFiniteCoordinatesAreErrorsWithTheirLine) {
   for (const char* number : {"nan", "-nan", "NaN", "inf", "-Infinity", "1e400", "-1e999"}) {
-    EXPECT_THAT(refusal(kSquare + "# more\nv 0 " + std::string(number) + " 0\nf 1 2 3"),
+    EXPECT_THAT(refusal(kSquare + "# more\nv 0 " + std::string(number) + " 0\nf 1 2 5"),
                 StartsWith("text.obj:6: This vertex has a coordinate that is not a finite number"))
         << number;
   }
