@@ -62,7 +62,7 @@ fuzzing() {
       -artifact_prefix="$out/found-$target-" "$out/learnt/$target" "$out/seeds/$target" \
       >"$out/fuzz-$target.log" 2>&1 || state=1
     printf 'Half a minute of fuzzing: %s\t%s inputs\tno find\t%s\n' "$target" \
-      "$(awk -F': *' '/number_of_executed_units/ { print $2 }' "$out/fuzz-$target.log")" \
+      "$(awk '/number_of_executed_units/ { print $NF }' "$out/fuzz-$target.log")" \
       "$([ $state = 0 ] && echo kept || echo BROKEN)"
   done
 }
