@@ -40,7 +40,7 @@ struct PaintingOptions {
   int levels = kAllLevels;
   std::uint64_t face_budget = 50'000'000;
   std::optional<std::uint64_t> memory_budget;  ///< Bytes; nothing: what the machine can spare.
-  int threads = 0;  ///< 0: as many as the machine has.
+  int threads = 0;                             ///< 0: as many as the machine has.
 };
 
 /// Adds the positional IN, or one or more.

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "limn/files/atomic_file.h"
 #include "limn/contract.h"
+#include "limn/files/atomic_file.h"
 
 namespace limn::render {
 namespace {
