@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "app/viewport_controller.h"
+#include "app/viewport_frame.h"
 #include "limn/error.h"
 #include "render/camera.h"
 #include "ui/gui.h"

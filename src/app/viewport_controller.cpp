@@ -1,166 +1,85 @@
 // A frame's path is played before its button change, since that is the order in which things
-// happened; a stroke covers the whole way between two places of the cursor, so it leaves no gaps.
+// happened.
 #include "app/viewport_controller.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "app/edge_tools.h"
 #include "app/session.h"
-#include "render/navigation.h"
-#include "render/picking/edge_picking.h"
 
 namespace limn::app {
 namespace {
 
 using ui::MouseButton;
 
-constexpr double kDollyPerNotch = 0.87;
-constexpr double kDollyPerHeight = 6.0;  ///< Factor for a drag over the whole height.
 constexpr double kBrushPerNotch = 1.12;
-constexpr double kEdgeReach = 12.0;  // Window units.
+
+/// Whether a press is the camera's and not the tool's.
+bool moves_camera(const ViewportFrame& frame) {
+  return frame.input.modifiers.alt || frame.is_in_second ||
+         !frame.input.is_down(MouseButton::kLeft) || frame.session.brush().tool == ui::Tool::kOrbit;
+}
 
 }  // namespace
 
-render::FramebufferPoint ViewportPlace::to_pixel(ui::WindowPoint point) const noexcept {
-  const double width = std::max(rect.size.width, 1.0);
-  const double height = std::max(rect.size.height, 1.0);
-  return {(point.x - rect.origin.x) * size.width / width,
-          (point.y - rect.origin.y) * size.height / height};
-}
-
-double ViewportPlace::density() const noexcept {
-  return rect.size.height > 0.0 ? size.height / rect.size.height : 1.0;
-}
-
-struct ViewportController::Context {
-  const ui::ViewportInput& input;
-  const ViewportPlace& place;
-  Session& session;
-  ViewportPicker& picker;
-
-  [[nodiscard]] render::Camera camera() const {
-    return render::make_camera(session.view(), session.document().control->bounds(), place.size);
-  }
-  [[nodiscard]] double brush_radius() const { return session.brush().radius * place.density(); }
-};
-
 void ViewportController::update(const ui::ViewportInput& input, const ViewportPlace& place,
                                 Session& session, ViewportPicker& picker) {
-  const Context context{input, place, session, picker};
+  ViewportFrame frame{input, place, session, picker, is_in_second_};
   if (place.size.is_empty()) {
-    ring_.reset();
-    highlighted_.clear();
+    tools_.leave();
     return;
   }
-  if (drag_ == Drag::kStroke && !session.is_stroking()) {
-    drag_ = Drag::kIdle;  // Given up by Esc.
+  if (drag_ == Drag::kPaint && tools_.is_given_up(session)) {
+    drag_ = Drag::kIdle;
   }
   for (const ui::WindowPoint& point : input.path) {
-    enter(context, point);
-    move(context, to_pixel(context, point));
+    enter(frame, point);
+    move(frame, frame.to_pixel(point));
   }
   if (input.cursor) {
-    enter(context, *input.cursor);
-    last_ = to_pixel(context, *input.cursor);
+    enter(frame, *input.cursor);
+    last_ = frame.to_pixel(*input.cursor);
   }
   if (input.button) {
-    input.button->is_down ? press(context) : release(context);
+    input.button->is_down ? press(frame) : release(frame);
   } else if (!input.owns_drag && drag_ != Drag::kNone) {
-    release(context);  // The window lost the focus, and with it the button.
+    release(frame);  // The window lost the focus, and with it the button.
   }
-  turn_wheel(context);
-  hover(context);
+  turn_wheel(frame);
+  hover(frame);
 }
 
-void ViewportController::enter(const Context& context, ui::WindowPoint at) {
-  const ViewportPlace& place = context.place;
-  const bool is_in_second = place.second && at.x >= place.second->x;
+void ViewportController::enter(ViewportFrame& frame, ui::WindowPoint at) {
+  const bool is_in_second = frame.place.second && at.x >= frame.place.second->x;
   if (drag_ == Drag::kNone && is_in_second != is_in_second_) {
-    is_in_second_ = is_in_second;
-    last_ = to_pixel(context, at);
+    is_in_second_ = frame.is_in_second = is_in_second;
+    last_ = frame.to_pixel(at);
   }
 }
 
-render::FramebufferPoint ViewportController::to_pixel(const Context& context,
-                                                      ui::WindowPoint at) const {
-  const ViewportPlace& place = context.place;
-  if (is_in_second_ && place.second) {
-    at.x += place.rect.origin.x - place.second->x;
-    at.y += place.rect.origin.y - place.second->y;
-  }
-  return place.to_pixel(at);
-}
-
-ViewportController::Drag ViewportController::drag_for(const ui::ViewportInput& input,
-                                                      const Session& session) const {
-  const bool left = input.is_down(MouseButton::kLeft);
-  const bool right = input.is_down(MouseButton::kRight);
-  if (input.modifiers.alt) {
-    if (input.is_down(MouseButton::kMiddle) || (left && right)) {
-      return Drag::kPan;
-    }
-    return left ? Drag::kOrbit : Drag::kDolly;
-  }
-  if (!left) {
-    return input.modifiers.shift ? Drag::kPan : Drag::kOrbit;
-  }
-  if (is_in_second_) {
-    return input.modifiers.shift ? Drag::kPan : Drag::kOrbit;
-  }
-  switch (session.brush().tool) {
-    case ui::Tool::kSplitEdge:
-    case ui::Tool::kFlipEdge:
-      return Drag::kEdge;
-    case ui::Tool::kPaint:
-    case ui::Tool::kLower:
-      return Drag::kStroke;
-    case ui::Tool::kPick:
-      return Drag::kPick;
-    case ui::Tool::kOrbit:
-      return input.modifiers.shift ? Drag::kPan : Drag::kOrbit;
-  }
-  return Drag::kIdle;
-}
-
-void ViewportController::press(const Context& context) {
-  const bool is_camera = drag_ == Drag::kOrbit || drag_ == Drag::kDolly;
-  const bool adds_button = is_camera && context.input.modifiers.alt;
+void ViewportController::press(const ViewportFrame& frame) {
+  const bool adds_button =
+      drag_ == Drag::kCamera && frame.input.modifiers.alt && camera_.takes_second_button();
   if (drag_ != Drag::kNone && !adds_button) {
     return;  // A second button changes nothing, but Alt + left and right together pan.
   }
-  drag_ = drag_for(context.input, context.session);
-  switch (drag_) {
-    case Drag::kStroke: {
-      const ui::BrushSettings& brush = context.session.brush();
-      const ui::Modifiers& held = context.input.modifiers;
-      const bool lowers = brush.tool == ui::Tool::kLower || held.shift || held.ctrl;
-      context.session.begin_stroke(lowers             ? DepthChange::add(-1)
-                                   : brush.sets_depth ? DepthChange::set(brush.target_depth)
-                                                      : DepthChange::add(1));
-      context.session.touch(context.picker.brush({last_, last_, context.brush_radius()}));
-      break;
-    }
-    case Drag::kPick:
-      pick_depth(context, last_);
-      break;
-    case Drag::kEdge:
-      take_edge(context);
-      break;
-    case Drag::kPan: {
-      const auto grabbed = pick(context, last_);
-      grabbed_depth_ = grabbed ? grabbed->view_depth : context.camera().target_depth;
-      break;
-    }
-    default:
-      break;
+  if (moves_camera(frame)) {
+    drag_ = Drag::kCamera;
+    camera_.begin(CameraDrag::kind_of(frame.input), frame, last_);
+  } else if (ui::picks_edges(frame.session.brush().tool)) {
+    drag_ = Drag::kEdge;
+    edge_tools::press(frame, last_);
+  } else {
+    drag_ = Drag::kPaint;
+    tools_.press(frame, last_);
   }
 }
 
-void ViewportController::release(const Context& context) {
-  const ui::ViewportInput& input = context.input;
-  if (drag_ == Drag::kStroke && !input.is_down(MouseButton::kLeft)) {
-    context.session.end_stroke();
+void ViewportController::release(const ViewportFrame& frame) {
+  const ui::ViewportInput& input = frame.input;
+  if (drag_ == Drag::kPaint && !input.is_down(MouseButton::kLeft)) {
+    tools_.release(frame.session);
     drag_ = Drag::kIdle;
   }
   const bool any_down = input.is_down(MouseButton::kLeft) || input.is_down(MouseButton::kRight) ||
@@ -170,94 +89,33 @@ void ViewportController::release(const Context& context) {
   }
 }
 
-void ViewportController::move(const Context& context, render::FramebufferPoint to) {
+void ViewportController::move(const ViewportFrame& frame, render::FramebufferPoint to) {
   const render::FramebufferPoint from = std::exchange(last_, to);
-  Session& session = context.session;
-  const double height = context.place.size.height;
-  switch (drag_) {
-    case Drag::kStroke:
-      session.touch(context.picker.brush({from, to, context.brush_radius()}));
-      break;
-    case Drag::kPick:
-      pick_depth(context, to);
-      break;
-    case Drag::kOrbit:
-      session.set_view(
-          render::orbit(session.view(), (to.x - from.x) / height, (to.y - from.y) / height));
-      break;
-    case Drag::kPan:
-      session.set_view(render::pan(session.view(), context.place.size, {from, to, grabbed_depth_}));
-      break;
-    case Drag::kDolly: {
-      // Right and up come closer, as in the original.
-      const double way = ((to.x - from.x) - (to.y - from.y)) / height;
-      session.set_view(render::dolly(session.view(), std::pow(kDollyPerHeight, -way),
-                                     session.document().control->bounds()));
-      break;
-    }
-    case Drag::kEdge:
-    case Drag::kNone:
-    case Drag::kIdle:
-      break;
+  if (drag_ == Drag::kPaint) {
+    tools_.move(frame, from, to);
+  } else if (drag_ == Drag::kCamera) {
+    camera_.move(frame, from, to);
   }
 }
 
-std::optional<render::PickedFace> ViewportController::pick(const Context& context,
-                                                           render::FramebufferPoint at) const {
-  return is_in_second_ ? std::nullopt : context.picker.pick(at);
-}
-
-std::optional<std::uint32_t> ViewportController::edge_at(const Context& context, std::uint32_t face,
-                                                         render::FramebufferPoint at) {
-  return render::nearest_edge(*context.session.document().control, context.camera(), face,
-                              {at, kEdgeReach * context.place.density()});
-}
-
-void ViewportController::take_edge(const Context& context) {
-  Session& session = context.session;
-  const auto face = pick(context, last_);
-  const auto edge = face ? edge_at(context, face->control_face, last_) : std::nullopt;
-  session.set_hover(face ? std::optional(face->control_face) : std::nullopt);
-  session.set_hover_edge(edge);
-  if (edge) {
-    session.perform(session.brush().tool == ui::Tool::kSplitEdge ? ui::ActionId::kSplitEdge
-                                                                 : ui::ActionId::kFlipEdge);
-  }
-}
-
-void ViewportController::pick_depth(const Context& context, render::FramebufferPoint at) {
-  if (const auto face = pick(context, at)) {
-    context.session.set_hover(face->control_face);
-    context.session.perform(ui::ActionId::kPickDepth);
-  }
-}
-
-void ViewportController::turn_wheel(const Context& context) {
-  const double notches = context.input.wheel.y;
+void ViewportController::turn_wheel(const ViewportFrame& frame) {
+  const double notches = frame.input.wheel.y;
   if (notches == 0.0) {
     return;
   }
-  Session& session = context.session;
-  if (context.input.modifiers.ctrl) {
-    session.perform({ui::ActionId::kSetBrushRadius,
-                     session.brush().radius * std::pow(kBrushPerNotch, notches)});
-    return;
+  if (frame.input.modifiers.ctrl) {
+    frame.session.perform({ui::ActionId::kSetBrushRadius,
+                           frame.session.brush().radius * std::pow(kBrushPerNotch, notches)});
+  } else {
+    CameraDrag::turn_wheel(frame, last_, notches);
   }
-  const render::Camera camera = context.camera();
-  const auto under_cursor = pick(context, last_);
-  const glm::dvec3 anchor =
-      under_cursor ? under_cursor->position : render::world_at(camera, last_, camera.target_depth);
-  session.set_view(render::dolly(session.view(), std::pow(kDollyPerNotch, notches), anchor,
-                                 session.document().control->bounds()));
 }
 
-void ViewportController::hover(const Context& context) {
-  ring_.reset();
-  const bool is_camera = drag_ == Drag::kOrbit || drag_ == Drag::kPan || drag_ == Drag::kDolly;
-  const bool is_here = context.input.is_hovered && context.input.cursor && !is_in_second_;
-  Session& session = context.session;
-  if (!is_here || is_camera || context.input.wheel.y != 0.0) {
-    highlighted_.clear();
+void ViewportController::hover(const ViewportFrame& frame) {
+  const bool is_here = frame.input.is_hovered && frame.input.cursor && !frame.is_in_second;
+  Session& session = frame.session;
+  if (!is_here || drag_ == Drag::kCamera || frame.input.wheel.y != 0.0) {
+    tools_.leave();
     session.set_hover_edge(std::nullopt);
     if (!is_here) {
       session.set_hover(std::nullopt);
@@ -265,20 +123,15 @@ void ViewportController::hover(const Context& context) {
     return;
   }
   if (drag_ == Drag::kEdge) {
-    highlighted_.clear();
+    tools_.leave();
     return;  // The edge has been changed, and the picture with it.
   }
-  const auto face = context.picker.pick(last_);
+  const auto face = frame.pick(last_);
   session.set_hover(face ? std::optional(face->control_face) : std::nullopt);
-  const ui::Tool tool = session.brush().tool;
-  session.set_hover_edge(face && ui::picks_edges(tool) ? edge_at(context, face->control_face, last_)
-                                                       : std::nullopt);
-  if (tool == ui::Tool::kPaint || tool == ui::Tool::kLower) {
-    ring_ = Ring{last_, context.brush_radius()};
-    highlighted_ = context.picker.brush({last_, last_, context.brush_radius()});
-  } else {
-    highlighted_.clear();
-  }
+  session.set_hover_edge(face && ui::picks_edges(session.brush().tool)
+                             ? edge_tools::edge_at(frame, face->control_face, last_)
+                             : std::nullopt);
+  tools_.hover(frame, last_);
 }
 
 }  // namespace limn::app

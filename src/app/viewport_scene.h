@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "app/viewport_controller.h"
+#include "app/paint_tools/paint_tools.h"
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
 #include "render/camera.h"
@@ -27,7 +27,7 @@ class ShownValences;
 
 /// What a viewport needs beside the session to be drawn.
 struct ViewportLook {
-  std::optional<ViewportController::Ring> ring;
+  std::optional<BrushRing> ring;
   std::span<const std::uint32_t> highlighted;  ///< Control faces.
   std::optional<std::uint32_t> edge;           ///< A control edge that lights up.
   double scale = 1.0;                          ///< Pixels per unit of the interface.
@@ -81,7 +81,7 @@ class ViewportScene {
     bool shows_refined = false;
     bool shows_second_refined = false;
     std::uint64_t content = 0;
-    std::optional<ViewportController::Ring> ring;
+    std::optional<BrushRing> ring;
     std::vector<std::uint32_t> highlighted;
     std::optional<std::uint32_t> edge;
     bool has_cage = false;

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
 
 #include "render/camera.h"
 #include "render/gl/buffer.h"
 #include "render/gl/shader_program.h"
 #include "render/picking/brush_capsule.h"
 #include "render/picking/id_image.h"
+#include "render/picking/picked_face.h"
 #include "render/surface/surface_buffers.h"
 
 namespace limn::render {
@@ -20,14 +20,6 @@ namespace limn::render {
 struct PickScene {
   const SurfaceBuffers& surface;
   const Camera& camera;
-};
-
-/// The face under a pixel.
-struct PickedFace {
-  std::uint32_t drawn_face = 0;    ///< In the order of the Surface that is drawn.
-  std::uint32_t control_face = 0;  ///< The control face it lies in: what painting changes.
-  double view_depth = 0.0;         ///< See Camera.
-  glm::dvec3 position{0.0};        ///< World, at the place asked for, as deep as its pixel.
 };
 
 /// Tells which faces show where.

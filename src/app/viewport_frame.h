@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/coordinates.h"
+#include "render/picking/brush_capsule.h"
+#include "render/picking/picked_face.h"
+#include "ui/input.h"
+
+namespace limn::app {
+
+class Session;
+
+/// Answers which faces show where in the viewport, for the camera in force.
+class ViewportPicker {
+ public:
+  virtual ~ViewportPicker() = default;
+  [[nodiscard]] virtual std::optional<render::PickedFace> pick(render::FramebufferPoint point) = 0;
+  /// Control faces that show under the brush.
+  [[nodiscard]] virtual std::vector<std::uint32_t> brush(const render::BrushCapsule& capsule) = 0;
+};
+
+/// Where the viewport lies: its rectangle in the window, and its size in pixels. Where it is split,
+/// both are of the first half, and the second is as large.
+struct ViewportPlace {
+  ui::WindowRect rect;
+  render::FramebufferSize size;
+  std::optional<ui::WindowPoint> second{};  ///< Upper left corner of the second half.
+
+  /// The pixel of the viewport under a window position; may lie outside.
+  [[nodiscard]] render::FramebufferPoint to_pixel(ui::WindowPoint point) const noexcept;
+  /// Pixels per window unit.
+  [[nodiscard]] double density() const noexcept;
+};
+
+/// What the mouse has to work with in one frame.
+struct ViewportFrame {
+  const ui::ViewportInput& input;
+  const ViewportPlace& place;
+  Session& session;
+  ViewportPicker& picker;
+  bool is_in_second = false;  ///< The cursor, or the drag, is in the second half.
+
+  [[nodiscard]] render::Camera camera() const;
+  /// The pixel of the half that the cursor is in.
+  [[nodiscard]] render::FramebufferPoint to_pixel(ui::WindowPoint at) const;
+  /// What shows at a place of the half that the cursor is in; nothing in the second, where there is
+  /// nothing to pick.
+  [[nodiscard]] std::optional<render::PickedFace> pick(render::FramebufferPoint at) const;
+};
+
+}  // namespace limn::app
