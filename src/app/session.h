@@ -202,6 +202,9 @@ class Session {
   [[nodiscard]] ui::SchemeStatus scheme_status() const;
   [[nodiscard]] ui::SecondStatus second_status() const;
   [[nodiscard]] int second_levels() const noexcept;
+  /// As a stage's: how far the refined mesh that is shown goes.
+  [[nodiscard]] int shown_levels() const noexcept;
+  [[nodiscard]] LiveRefinement::Wish wish() const noexcept;
 
   void frame_faces(std::span<const std::uint32_t> faces);
   void zoom(double factor);

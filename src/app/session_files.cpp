@@ -192,7 +192,7 @@ void Session::start_export(const fs::path& path) {
   std::error_code ignored;
   last_folder_ = fs::absolute(path, ignored).parent_path();
   export_path_ = path;
-  refinement_.follow(document_, {false, true});
+  refinement_.follow(document_, wish());
   if (!refinement_.is_up_to_date()) {
     toast(Kind::kNote,
           fmt::format("{} will be written as soon as it is refined.", path.filename().string()));

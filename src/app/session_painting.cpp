@@ -303,11 +303,11 @@ void Session::change_settings(const SubdivisionSettings& settings) {
 
 void Session::apply_refined() {
   end_stroke();
-  if (document_.stage.levels == 0) {
+  if (shown_levels() == 0) {
     toast(Kind::kNote, "Subdivide first: Apply makes the refined mesh the control mesh.");
     return;
   }
-  refinement_.follow(document_, {});
+  refinement_.follow(document_, wish());
   const JobResult* refined = refinement_.refined();
   if (!refinement_.is_up_to_date() || refined == nullptr) {
     toast(Kind::kNote, "The refined mesh is not ready yet. Apply when it is.");
