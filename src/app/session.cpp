@@ -20,10 +20,11 @@ using Kind = ui::Toast::Kind;
 
 Session::Session(SessionHost host)
     : host_(std::move(host)),
-      refinement_(host_.wake),
-      second_(host_.wake),
-      sphere_(host_.wake),
-      exports_(host_.wake),
+      files_(host_.files != nullptr ? *host_.files : disk()),
+      refinement_(host_.wake, "refinement", host_.arrivals),
+      second_(host_.wake, "second", host_.arrivals),
+      sphere_(host_.wake, host_.arrivals),
+      exports_(host_.wake, files_, host_.arrivals),
       autosave_(host_.recovery_folder, host_.wake) {
   LIMN_EXPECTS(host_.wake);
   for (const BundledMesh& mesh : bundled_meshes()) {
@@ -62,6 +63,7 @@ bool Session::update(double now) {
   follow_second();
   bool has_news = refinement_.update();
   has_news |= second_.update();
+  has_news |= sphere_.update();
   if (has_news) {
     update_facts();
   }

@@ -9,7 +9,6 @@
 #include <imgui.h>
 
 #include "render/environment_error.h"
-#include "render/png.h"
 
 namespace limn::app {
 namespace {
@@ -43,7 +42,7 @@ Workbench::Workbench(WorkbenchHost host, const Preferences& preferences, Project
                   sync_scene();
                   return scene_->visible_faces(session_, place_.size);
                 },
-                std::move(host.recovery_folder)}) {
+                std::move(host.recovery_folder), host.files, host.arrivals}) {
   gui_.set_layout(preferences.layout);
   gui_.set_clipboard(std::move(host.read_clipboard), std::move(host.write_clipboard));
   session_.restore(preferences.display, preferences.keymap, preferences.brush_radius,
@@ -137,8 +136,7 @@ Workbench::Frame Workbench::frame(const ui::InputFrame& input, const Screen& scr
 
   Frame frame{gui.cursor, gui.wants_text, gui.needs_another_frame};
   if (const auto path = session_.take_screenshot_request()) {
-    session_.report_screenshot(
-        *path, render::write_png(*path, read_framebuffer(screen.framebuffer, framebuffer)));
+    session_.write_screenshot(*path, read_framebuffer(screen.framebuffer, framebuffer));
     frame.needs_another_frame = true;
   }
   // The panels have shown the state before these actions.

@@ -36,8 +36,10 @@ struct WorkbenchHost {
   ui::FontFiles fonts{};
   std::function<std::string()> read_clipboard{};
   std::function<void(std::string)> write_clipboard{};
-  /// Where copies of unsaved work are kept; empty: nowhere.
+  /// As of SessionHost.
   std::filesystem::path recovery_folder{};
+  FileAccess* files = nullptr;
+  Arrivals* arrivals = nullptr;
 };
 
 /// The whole program between what a person does and what is to be seen: panels, viewport, session.
