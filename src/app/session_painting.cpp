@@ -57,7 +57,8 @@ bool Session::perform_rule(const ui::Action& action) {
 
 void Session::paint(const Selection& selection, DepthChange change, const std::string& what) {
   end_stroke();
-  const auto faces = select_faces(*document_.control, selection, host_.visible_faces);
+  const auto faces =
+      select_faces(*document_.control, document_.depths, selection, host_.visible_faces);
   if (!faces) {
     toast(Kind::kProblem, faces.error().message);
     return;
