@@ -21,16 +21,6 @@ flat out float half_width;     // pixels
 flat out float casing;         // pixels
 flat out vec3 line_colour;
 
-// The point as deep as one that lies nearer to the eye by `pixels`, so that the surface on either
-// side of an edge does not cut into the ribbon along it.
-float nearer_depth(vec4 point, float pixels) {
-  float pixel = 2.0 * point.w / (viewport.y * projection[1][1]);
-  float eye_z = (point.z - projection[3][2]) / projection[2][2] + pixels * pixel;
-  float z = projection[2][2] * eye_z + projection[3][2];
-  float w = projection[2][3] * eye_z + projection[3][3];
-  return w > 0.0 ? max(z / w, -1.0) * point.w : -point.w;
-}
-
 void main() {
   Crease crease = creases[uint(gl_VertexID) / 6];
   uint part = uint(gl_VertexID) % 6;

@@ -10,6 +10,8 @@ layout(std430, binding = 8) restrict readonly buffer SurfaceEdges { uint surface
 
 layout(location = 0) uniform float width;  // pixels
 
+const float kNearer = 0.5;  // pixels
+
 noperspective out float from_middle;  // pixels across the ribbon
 flat out float faintness;  // of edges a few pixels long, which would drown the surface
 
@@ -36,8 +38,7 @@ void main() {
   float reach = 0.5 * width + 1.0;
   vec4 position = is_at_second_end(part) ? ribbon.b : ribbon.a;
   position.xy += across * side * reach / (0.5 * viewport.xy) * position.w;
-  // Towards the eye by a hair, so that a cage edge on the surface is not swallowed by it.
-  position.z -= 2e-5 * position.w;
+  position.z = nearer_depth(position, kNearer);
   gl_Position = position;
   from_middle = side * reach;
   faintness = mix(0.3, 1.0, smoothstep(5.0 * viewport.z, 40.0 * viewport.z, ribbon.size));

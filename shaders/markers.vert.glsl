@@ -38,5 +38,5 @@ void main() {
                      part == 2 || part == 4 || part == 5 ? 1.0 : -1.0);
   from_centre = corner * reach;
   gl_Position = vec4(centre.xy + corner * reach * 2.0 / viewport.xy * centre.w,
-                     max(nearer.z / nearer.w, -1.0) * centre.w, centre.w);
+                     min(nearer.z / nearer.w, 1.0) * centre.w, centre.w);
 }

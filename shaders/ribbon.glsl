@@ -10,8 +10,8 @@ struct Ribbon {
 Ribbon make_ribbon(vec4 a, vec4 b) {
   Ribbon ribbon;
   // Cut at the near plane, beyond which directions on the screen make no sense.
-  float a_inside = a.z + a.w;
-  float b_inside = b.z + b.w;
+  float a_inside = a.w - a.z;
+  float b_inside = b.w - b.z;
   ribbon.is_visible = a_inside >= 0.0 || b_inside >= 0.0;
   if (a_inside < 0.0) {
     a = mix(a, b, a_inside / (a_inside - b_inside));
@@ -24,6 +24,17 @@ Ribbon make_ribbon(vec4 a, vec4 b) {
   ribbon.along = (b.xy / b.w - a.xy / a.w) * half_size;
   ribbon.size = length(ribbon.along);
   return ribbon;
+}
+
+// The clip-space z of a point as deep as one that lies nearer to the eye by `pixels`, so that the
+// surface on either side of an edge does not cut into the ribbon along it.
+float nearer_depth(vec4 point, float pixels) {
+  float pixel = 2.0 * point.w / (viewport.y * projection[1][1]);
+  float eye_z = is_perspective() ? -point.w : (point.z - projection[3][2]) / projection[2][2];
+  eye_z += pixels * pixel;
+  float z = projection[2][2] * eye_z + projection[3][2];
+  float w = projection[2][3] * eye_z + projection[3][3];
+  return w > 0.0 ? min(z / w, 1.0) * point.w : point.w;
 }
 
 // Of the six vertices of two triangles: whether a vertex stands at the second end, and on which

@@ -31,7 +31,7 @@ vec3 lit(vec3 base, vec3 normal, vec3 to_eye) {
 vec4 pixels_to_edges() {
   vec4 along_x = dFdx(edge_distances);
   vec4 along_y = dFdy(edge_distances);
-  return edge_distances / max(sqrt(along_x * along_x + along_y * along_y), vec4(1e-12));
+  return edge_distances / max(sqrt(along_x * along_x + along_y * along_y), vec4(1e-30));
 }
 
 float line(float pixels, float width) { return clamp(0.5 * width + 0.5 - pixels, 0.0, 1.0); }

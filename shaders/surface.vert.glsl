@@ -22,13 +22,18 @@ vec3 corner_position(SurfaceCorner corner, uint side) {
   return surface_position(surface_corners[corner.first_corner + side]);
 }
 
-// Newell's normal: for polygons that are not planar too. Relative to corner 0, which keeps digits.
+// Newell's normal: for polygons that are not planar too. Relative to corner 0, which keeps digits,
+// and to the face's size: areas of tiny faces are no numbers any more.
 vec3 face_normal(SurfaceCorner corner) {
   vec3 base = corner_position(corner, 0);
   vec3 normal = vec3(0.0);
   vec3 before = corner_position(corner, 1) - base;
+  vec3 extent = max(abs(before), abs(corner_position(corner, 2) - base));
+  float unit = max(extent.x, max(extent.y, extent.z));
+  float per_unit = unit > 0.0 ? 1.0 / unit : 1.0;
+  before *= per_unit;
   for (uint side = 2; side < corner.sides; ++side) {
-    vec3 here = corner_position(corner, side) - base;
+    vec3 here = (corner_position(corner, side) - base) * per_unit;
     normal += cross(before, here);
     before = here;
   }
@@ -39,7 +44,7 @@ vec3 face_normal(SurfaceCorner corner) {
 float distance_to_line(vec3 point, vec3 a, vec3 b) {
   vec3 along = b - a;
   float size = length(along);
-  return size > 0.0 ? length(cross(point - a, along)) / size : distance(point, a);
+  return size > 0.0 ? length(cross(point - a, along / size)) : distance(point, a);
 }
 
 vec4 distances_to_edges(SurfaceCorner corner, vec3 position) {

@@ -18,7 +18,7 @@ constexpr double kSmallestDistance = 1e-12;
 constexpr double kSmallestFov = 1.0;
 constexpr double kLargestFov = 150.0;
 /// Nearest near plane, as a part of the orbit's distance.
-constexpr double kNearFraction = 5e-3;
+constexpr double kNearFraction = 1e-3;
 /// Room around the scene, as a part of its diagonal.
 constexpr double kSceneRoom = 0.01;
 
@@ -69,13 +69,13 @@ glm::dmat4 projection_of(const Camera& camera) {
   m[0][0] = 1.0 / (h * aspect);
   m[1][1] = 1.0 / h;
   if (camera.orthographic) {
-    m[2][2] = -2.0 / (f - n);
-    m[3][2] = -(f + n) / (f - n);
+    m[2][2] = 1.0 / (f - n);
+    m[3][2] = f / (f - n);
     m[3][3] = 1.0;
   } else {
-    m[2][2] = -(f + n) / (f - n);
+    m[2][2] = n / (f - n);
     m[2][3] = -1.0;
-    m[3][2] = -2.0 * f * n / (f - n);
+    m[3][2] = f * n / (f - n);
   }
   return m;
 }
@@ -186,7 +186,7 @@ double view_depth_of(const Camera& camera, const glm::dvec3& world) {
 double view_depth_from_buffer(const Camera& camera, double buffer_depth) {
   const double n = camera.near_plane;
   const double f = camera.far_plane;
-  return camera.orthographic ? n + buffer_depth * (f - n) : f * n / (f - buffer_depth * (f - n));
+  return camera.orthographic ? f - buffer_depth * (f - n) : f * n / (n + buffer_depth * (f - n));
 }
 
 double pixel_size_at(const Camera& camera, double view_depth) {

@@ -16,9 +16,13 @@ namespace limn::render {
 
 /// Everything that drawing, picking and the CPU need to know of how the scene is projected.
 ///
-/// World coordinates are mesh units. Eye space looks along -z with y up. Clip space is OpenGL's
-/// default (-w <= z <= w). "View depth" is the distance in front of the eye along the viewing
-/// direction, in mesh units, positive in front.
+/// World coordinates are mesh units. Eye space looks along -z with y up. "View depth" is the
+/// distance in front of the eye along the viewing direction, in mesh units, positive in front.
+///
+/// Clip space has w at the near plane and 0 at the far one (0 <= z <= w, contexts are set so by
+/// load_gl), and the greater depth is the nearer. In a buffer of floats that gives every depth the
+/// same relative resolution, so what is far away does not flicker where the eye is close to
+/// something small.
 struct Camera {
   FramebufferSize size;
   bool orthographic = false;
@@ -52,8 +56,8 @@ struct ProjectedPoint {
 /// The one place that turns a view into matrices.
 ///
 /// Near and far planes follow `scene`: they enclose it with a little room, and in perspective the
-/// near plane stays in front of the eye by at least a two-hundredth of the orbit's distance, so
-/// that a mesh of millimetres and one of kilometres both keep their depth resolution. Out-of-range
+/// near plane stays in front of the eye by at least a thousandth of the orbit's distance, so that a
+/// mesh of millimetres and one of kilometres are both seen from close by. Out-of-range
 /// values of a view are taken as the nearest usable ones: pitch -90..90, field of view 1..150
 /// degrees, distance not below 1e-12. An empty size is treated as square.
 /// Expects finite numbers.
@@ -89,7 +93,7 @@ struct ProjectedPoint {
 /// View depth of a world point.
 [[nodiscard]] double view_depth_of(const Camera& camera, const glm::dvec3& world);
 
-/// View depth for a value read from the depth buffer (0..1, near to far).
+/// View depth for a value read from the depth buffer (0..1, far to near).
 [[nodiscard]] double view_depth_from_buffer(const Camera& camera, double buffer_depth);
 
 /// World length that one pixel spans at a view depth, parallel to the image.

@@ -87,13 +87,13 @@ void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const 
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
-  glClearDepth(1.0);
+  glClearDepth(0.0);  // The farthest: see Camera.
   glClear(GL_DEPTH_BUFFER_BIT);
 
   glDisable(GL_DEPTH_TEST);
   draw_background(settings);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  glDepthFunc(GL_GREATER);
   if (scene.surface != nullptr) {
     draw_surface(scene, settings);
   }
@@ -135,13 +135,13 @@ void MeshRenderer::draw_surface(const Scene& scene, const DrawSettings& settings
 void MeshRenderer::draw_cage(const SurfaceBuffers& cage, const DrawSettings& settings) const {
   edges_program_.set(0, kCageWidth * settings.scale);
   edges_program_.use();
-  glDepthFunc(GL_GREATER);
+  glDepthFunc(GL_LESS);
   edges_program_.set(1, kHiddenCageStrength);
   cage.draw_edges();
-  glDepthFunc(GL_LEQUAL);
+  glDepthFunc(GL_GEQUAL);
   edges_program_.set(1, kVisibleCageStrength);
   cage.draw_edges();
-  glDepthFunc(GL_LESS);
+  glDepthFunc(GL_GREATER);
 }
 
 void MeshRenderer::draw_creases(const Scene& scene) const {

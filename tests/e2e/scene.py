@@ -70,7 +70,7 @@ class FaceImage:
 
     def _project(self, matrix, point):
         x, y, z, w = (sum(m * c for m, c in zip(row, (*point, 1.0))) for row in matrix)
-        return ((x / w + 1) / 2 * self.width, (1 - y / w) / 2 * self.height, z / w)
+        return ((x / w + 1) / 2 * self.width, (1 - y / w) / 2 * self.height, -z / w)
 
     def _fill(self, f, a, b, c):
         area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
@@ -94,6 +94,10 @@ class FaceImage:
                 if depth < self._depths[at]:
                     self._depths[at] = depth
                     self.ids[at] = f
+
+    def points_of(self, f):
+        """Where the corners of a face show, in viewport pixels."""
+        return [self.points[v] for v in self.faces[f]]
 
     def at(self, x, y):
         """The face at a pixel of the viewport; -1 for none."""

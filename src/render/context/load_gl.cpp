@@ -42,6 +42,8 @@ GlInfo load_gl(GlLoader loader) {
                     "lacks. {}",
                     info.renderer, info.version, kAdvice));
   }
+  // Depths from 0 to 1, as render/camera.h projects them.
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   return info;
 }
 

@@ -65,10 +65,10 @@ void IdImage::begin() const {
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);
   constexpr GLuint kNothing[4] = {0, 0, 0, 0};
-  constexpr GLfloat kFarthest = 1.0F;
+  constexpr GLfloat kFarthest = 0.0F;
   glClearNamedFramebufferuiv(framebuffer_.id(), GL_COLOR, 0, kNothing);
   glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &kFarthest);
 }
@@ -89,7 +89,7 @@ void IdImage::read(PixelRect rect, std::span<std::uint32_t> out) const {
 
 float IdImage::read_depth(int x, int y) const {
   LIMN_EXPECTS(is_within({x, y, 1, 1}, size_));
-  float depth = 1.0F;
+  float depth = 0.0F;
   read_texture(depth_, {x, size_.height - 1 - y, 1, 1}, GL_DEPTH_COMPONENT, GL_FLOAT,
                std::as_writable_bytes(std::span(&depth, 1)));
   return depth;

@@ -74,8 +74,10 @@ void compute_normals(Surface& surface) {
     }
   }
   for (glm::vec3& normal : surface.normals) {
-    const float length = glm::length(normal);
-    normal = length > 0.0F ? normal / length : glm::vec3(0.0F, 0.0F, 1.0F);
+    // In double: the square of the area of a tiny face is no float any more.
+    const glm::dvec3 sum(normal);
+    const double length = glm::length(sum);
+    normal = length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0.0F, 0.0F, 1.0F);
   }
 }
 
