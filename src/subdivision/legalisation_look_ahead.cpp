@@ -18,6 +18,7 @@
 #include "subdivision/legalisation_greedy.h"
 #include "subdivision/legalisation_resets.h"
 #include "subdivision/legality_problem.h"
+#include "subdivision/look_ahead_score.h"
 
 namespace limn {
 namespace {
@@ -40,22 +41,6 @@ class RacePart final : public Progress {
   Progress& whole_;
 };
 
-/// Scores are counted in fifths.
-constexpr std::int32_t kOneMended = 5;
-constexpr std::int32_t kOneMendedNext = 3;
-constexpr std::int32_t kOneFaceAdded = -5;
-constexpr float kScoreUnit = 5.0F;
-
-/// Illegal quads fewer when the corners in `bits` rise.
-[[nodiscard]] std::int32_t mended(unsigned mask, unsigned bits) {
-  return static_cast<std::int32_t>(is_illegal_mask(mask)) -
-         static_cast<std::int32_t>(is_illegal_mask(mask | bits));
-}
-
-[[nodiscard]] std::int32_t faces_of(unsigned mask) {
-  return static_cast<std::int32_t>(added_faces_of(mask));
-}
-
 class LookAhead {
  public:
   LookAhead(const LegalityProblem& problem, const VertexLabels& labels)
@@ -64,7 +49,7 @@ class LookAhead {
       variables_[problem.variable_of(v)].is_zero = labels[v] == 0;
     }
     for (std::uint32_t u = 0; u < variables_.size(); ++u) {
-      variables_[u].is_small = problem.quads_around(u) <= kMostQuads;
+      variables_[u].is_small = problem.quads_around(u) <= kMostQuadsLookedAhead;
       if (variables_[u].is_zero) {
         variables_[u].faces = static_cast<std::int32_t>(problem.polygon_faces(u));
         problem.for_each_quad(
@@ -118,7 +103,6 @@ class LookAhead {
     std::int32_t mended = 0;
   };
 
-  static constexpr std::size_t kMostQuads = 32;
   /// Scores beyond -kStacks * 3 / 4 and kStacks / 4 are worst and best all alike.
   static constexpr std::int32_t kStacks = 1024;
 
@@ -268,7 +252,7 @@ Result<Legalisation> legalise_look_ahead(const ControlMesh& mesh, VertexLabels l
   }
 
   const LegalityProblem problem(mesh);
-  Legalisation result{labels, {}};
+  Legalisation result{labels, {}, LegalisationMethod::kLookAhead};
   LookAhead look_ahead(problem, labels);
   double reached = 0.0;
   while (const auto raised = look_ahead.raise_best()) {

@@ -33,6 +33,8 @@ struct LegalisationStep {
 struct Legalisation {
   VertexLabels labels;                  ///< No face is illegal under these.
   std::vector<LegalisationStep> steps;  ///< The choices, in order.
+  /// Whose order the raises follow: look-ahead gives the greedy's where these are better.
+  LegalisationMethod order = LegalisationMethod::kGreedy;
 };
 
 /// Removes every illegal vertex in the paper's greedy order, in time that is linear in the mesh for
