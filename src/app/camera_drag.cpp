@@ -1,4 +1,5 @@
-// A pan holds what was under the cursor when it began; orbit and dolly go by the mouse's way alone.
+// A pan holds what was under the cursor when it began, an orbit goes round it; a dolly goes by the
+// mouse's way alone.
 #include "app/camera_drag.h"
 
 #include <cmath>
@@ -17,45 +18,54 @@ constexpr double kDollyPerHeight = 6.0;  ///< Factor for a drag over the whole h
 
 }  // namespace
 
-CameraDrag::Kind CameraDrag::kind_of(const ui::ViewportInput& input) noexcept {
-  const bool left = input.is_down(MouseButton::kLeft);
-  const bool right = input.is_down(MouseButton::kRight);
-  if (!input.modifiers.alt) {
-    return input.modifiers.shift ? Kind::kPan : Kind::kOrbit;
-  }
-  if (input.is_down(MouseButton::kMiddle) || (left && right)) {
-    return Kind::kPan;
-  }
-  return left ? Kind::kOrbit : Kind::kDolly;
+std::optional<ui::CameraGesture> CameraDrag::gesture_at(const ViewportFrame& frame,
+                                                        render::FramebufferPoint at) {
+  const ui::ViewportInput& input = frame.input;
+  const ui::NavigationPreset preset = frame.session.navigation().preset;
+  ui::MouseGrip grip;
+  grip.left = input.is_down(MouseButton::kLeft);
+  grip.right = input.is_down(MouseButton::kRight);
+  grip.middle = input.is_down(MouseButton::kMiddle);
+  grip.modifiers = input.modifiers;
+  grip.is_left_free = frame.is_in_second || frame.session.brush().tool == ui::Tool::kOrbit;
+  grip.is_beside_mesh = grip.left && ui::asks_for_background(preset) && !frame.pick(at);
+  return ui::camera_gesture(preset, grip);
 }
 
-void CameraDrag::begin(Kind kind, const ViewportFrame& frame, render::FramebufferPoint at) {
-  kind_ = kind;
-  if (kind == Kind::kPan) {
-    const auto grabbed = frame.pick(at);
+void CameraDrag::begin(ui::CameraGesture gesture, const ViewportFrame& frame,
+                       render::FramebufferPoint at) {
+  gesture_ = gesture;
+  pivot_.reset();
+  if (gesture == ui::CameraGesture::kPan) {
+    const auto grabbed = frame.pick_in_first(at);
     grabbed_depth_ = grabbed ? grabbed->view_depth : frame.camera().target_depth;
+  } else if (gesture == ui::CameraGesture::kOrbit &&
+             frame.session.navigation().orbits_around_cursor) {
+    if (const auto under_cursor = frame.pick_in_first(at)) {
+      pivot_ = under_cursor->position;
+    }
   }
 }
 
 void CameraDrag::move(const ViewportFrame& frame, render::FramebufferPoint from,
                       render::FramebufferPoint to) const {
   Session& session = frame.session;
+  const ViewState& view = session.view();
   const double height = frame.place.size.height;
-  switch (kind_) {
-    case Kind::kOrbit:
-      session.set_view(
-          render::orbit(session.view(), (to.x - from.x) / height, (to.y - from.y) / height));
+  const double dx = (to.x - from.x) / height;
+  const double dy = (to.y - from.y) / height;
+  switch (gesture_) {
+    case ui::CameraGesture::kOrbit:
+      session.set_view(render::orbit_about(view, dx, dy, pivot_.value_or(view.target)));
       break;
-    case Kind::kPan:
-      session.set_view(render::pan(session.view(), frame.place.size, {from, to, grabbed_depth_}));
+    case ui::CameraGesture::kPan:
+      session.set_view(render::pan(view, frame.place.size, {from, to, grabbed_depth_}));
       break;
-    case Kind::kDolly: {
+    case ui::CameraGesture::kZoom:
       // Right and up come closer, as in the original.
-      const double way = ((to.x - from.x) - (to.y - from.y)) / height;
-      session.set_view(render::dolly(session.view(), std::pow(kDollyPerHeight, -way),
+      session.set_view(render::dolly(view, std::pow(kDollyPerHeight, dy - dx),
                                      session.document().control->bounds()));
       break;
-    }
   }
 }
 
@@ -63,7 +73,7 @@ void CameraDrag::turn_wheel(const ViewportFrame& frame, render::FramebufferPoint
                             double notches) {
   Session& session = frame.session;
   const render::Camera camera = frame.camera();
-  const auto under_cursor = frame.pick(at);
+  const auto under_cursor = frame.pick_in_first(at);
   const glm::dvec3 anchor =
       under_cursor ? under_cursor->position : render::world_at(camera, at, camera.target_depth);
   session.set_view(render::dolly(session.view(), std::pow(kDollyPerNotch, notches), anchor,

@@ -1,39 +1,39 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
+
+#include <glm/vec3.hpp>
 
 #include "render/coordinates.h"
-
-namespace limn::ui {
-struct ViewportInput;
-}
+#include "ui/mouse_map.h"
 
 namespace limn::app {
 
 struct ViewportFrame;
 
-/// Moves the camera while a button is held, and with the wheel.
+/// Moves the camera while a button is held, and with the wheel. Which button does what is said in
+/// ui/mouse_map.h.
 class CameraDrag {
  public:
-  enum class Kind : std::uint8_t { kOrbit, kPan, kDolly };
+  /// What a press at this place does to the camera; nothing: it is the tool's.
+  [[nodiscard]] static std::optional<ui::CameraGesture> gesture_at(const ViewportFrame& frame,
+                                                                   render::FramebufferPoint at);
 
-  /// What a drag of the camera does that begins with these buttons and modifiers: with Alt, left
-  /// orbits, middle or left and right together pan, right dollies; without, every button orbits,
-  /// and with Shift pans.
-  [[nodiscard]] static Kind kind_of(const ui::ViewportInput& input) noexcept;
-
-  void begin(Kind kind, const ViewportFrame& frame, render::FramebufferPoint at);
+  void begin(ui::CameraGesture gesture, const ViewportFrame& frame, render::FramebufferPoint at);
   void move(const ViewportFrame& frame, render::FramebufferPoint from,
             render::FramebufferPoint to) const;
   /// Whether a second button pressed with Alt makes it another drag.
-  [[nodiscard]] bool takes_second_button() const noexcept { return kind_ != Kind::kPan; }
+  [[nodiscard]] bool takes_second_button() const noexcept {
+    return gesture_ != ui::CameraGesture::kPan;
+  }
 
   /// Dollies towards what is under the cursor.
   static void turn_wheel(const ViewportFrame& frame, render::FramebufferPoint at, double notches);
 
  private:
-  Kind kind_ = Kind::kOrbit;
-  double grabbed_depth_ = 1.0;  ///< View depth of what a pan holds.
+  ui::CameraGesture gesture_ = ui::CameraGesture::kOrbit;
+  double grabbed_depth_ = 1.0;       ///< View depth of what a pan holds.
+  std::optional<glm::dvec3> pivot_;  ///< What an orbit goes round; nothing: the view's target.
 };
 
 }  // namespace limn::app

@@ -7,10 +7,10 @@
 namespace limn::app {
 namespace {
 
-Result<void> write(FileAccess& files, const std::filesystem::path& path, const RefinedMesh& mesh,
+Result<void> write(const std::filesystem::path& path, const RefinedMesh& mesh,
                    const ExportSettings& settings) {
   try {
-    return files.write_mesh(path, mesh, settings);
+    return export_mesh(path, mesh, settings);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::kFailed, "There is not enough memory to write this mesh.",
                 path.string());
@@ -29,9 +29,19 @@ void ExportJob::start(std::filesystem::path path, std::shared_ptr<const RefinedM
                           copy = settings]() mutable {
     copy.depths = depths;
     copy.control = control.get();
-    outcomes_.put({path, mesh->face_count(), write(files_, path, *mesh, copy)});
+    Outcome outcome{path, mesh->face_count(), write(path, *mesh, copy)};
+    {
+      const std::lock_guard lock(mutex_);
+      outcome_ = std::move(outcome);
+      is_busy_ = false;
+    }
     wake_();
   });
+}
+
+bool ExportJob::is_busy() const {
+  const std::lock_guard lock(mutex_);
+  return is_busy_;
 }
 
 void ExportJob::wait_until_idle() {
@@ -41,12 +51,8 @@ void ExportJob::wait_until_idle() {
 }
 
 std::optional<ExportJob::Outcome> ExportJob::take_outcome() {
-  std::vector<Outcome> outcomes = outcomes_.take();
-  if (outcomes.empty()) {
-    return std::nullopt;
-  }
-  is_busy_ = false;
-  return std::move(outcomes.back());
+  const std::lock_guard lock(mutex_);
+  return std::exchange(outcome_, std::nullopt);
 }
 
 }  // namespace limn::app

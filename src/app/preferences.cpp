@@ -1,8 +1,10 @@
 #include "app/preferences.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -47,6 +49,16 @@ class Reader {
   const Json& object_;
 };
 
+constexpr std::array<std::string_view, 3> kPresetNames{"original", "mouse", "classroom"};
+
+/// The first for a name that there is not.
+ui::NavigationPreset preset_named(std::string_view name) {
+  const auto found = std::ranges::find(kPresetNames, name);
+  return found == kPresetNames.end()
+             ? ui::NavigationPreset::kOriginal
+             : static_cast<ui::NavigationPreset>(found - kPresetNames.begin());
+}
+
 Preferences from_json(const Json& json) {
   Preferences preferences;
   const Reader root(json);
@@ -57,12 +69,17 @@ Preferences from_json(const Json& json) {
   root.read("keymap", keymap);
   preferences.keymap = keymap == "classroom" ? ui::KeymapId::kClassroom : ui::KeymapId::kOriginal;
 
+  const Reader navigation = root.child("navigation");
+  std::string preset = keymap;
+  navigation.read("preset", preset);
+  preferences.navigation.preset = preset_named(preset);
+  navigation.read("around_cursor", preferences.navigation.orbits_around_cursor);
+
   const Reader display = root.child("display");
   display.read("wireframe", preferences.display.wireframe);
   display.read("smooth", preferences.display.smooth);
   display.read("light", preferences.display.light);
   display.read("creases", preferences.display.creases);
-  display.read("live", preferences.display.live);
 
   root.read("brush_radius", preferences.brush_radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
@@ -95,12 +112,14 @@ Json to_json(const Preferences& preferences) {
   return {
       {"theme", display.theme == ui::Theme::kLight ? "light" : "dark"},
       {"keymap", preferences.keymap == ui::KeymapId::kClassroom ? "classroom" : "original"},
+      {"navigation",
+       {{"preset", kPresetNames.at(static_cast<std::size_t>(preferences.navigation.preset))},
+        {"around_cursor", preferences.navigation.orbits_around_cursor}}},
       {"display",
        {{"wireframe", display.wireframe},
         {"smooth", display.smooth},
         {"light", display.light},
-        {"creases", display.creases},
-        {"live", display.live}}},
+        {"creases", display.creases}}},
       {"brush_radius", preferences.brush_radius},
       {"dihedral_threshold", preferences.dihedral_threshold},
       {"crease_sharpness", preferences.crease_sharpness},

@@ -20,11 +20,10 @@ using Kind = ui::Toast::Kind;
 
 Session::Session(SessionHost host)
     : host_(std::move(host)),
-      files_(host_.files != nullptr ? *host_.files : disk()),
-      refinement_(host_.wake, "refinement", host_.arrivals),
-      second_(host_.wake, "second", host_.arrivals),
-      sphere_(host_.wake, host_.arrivals),
-      exports_(host_.wake, files_, host_.arrivals),
+      refinement_(host_.wake),
+      second_(host_.wake),
+      sphere_(host_.wake),
+      exports_(host_.wake),
       autosave_(host_.recovery_folder, host_.wake) {
   LIMN_EXPECTS(host_.wake);
   for (const BundledMesh& mesh : bundled_meshes()) {
@@ -52,18 +51,18 @@ void Session::carry_out(const ui::Action& action) {
                         perform_rule(action) || perform_creases(action) || perform_brush(action) ||
                         perform_subdivision(action) || perform_scheme(action) ||
                         perform_scheme_choice(action) || perform_edge(action) ||
-                        perform_display(action) || perform_camera(action) || perform_report(action);
+                        perform_display(action) || perform_camera(action) ||
+                        perform_navigation(action) || perform_report(action);
   LIMN_EXPECTS(is_known);
   update_facts();
 }
 
 bool Session::update(double now) {
   now_ = std::max(now_, now);
-  refinement_.follow(document_, wish());
+  refinement_.follow(document_, {is_stroking(), export_path_.has_value()});
   follow_second();
   bool has_news = refinement_.update();
   has_news |= second_.update();
-  has_news |= sphere_.update();
   if (has_news) {
     update_facts();
   }
@@ -99,20 +98,9 @@ double Session::next_update() const noexcept {
   return camera_.is_gliding() ? now_ : std::min(toasts_.next_end(), autosave_.next());
 }
 
-int Session::shown_levels() const noexcept {
-  const bool follows_painting = display_.live && !document_.scheme && document_.stage.levels == 0;
-  return follows_painting && document_.depths.deepest() > 0 ? kAllLevels : document_.stage.levels;
-}
-
-LiveRefinement::Wish Session::wish() const noexcept {
-  return {is_stroking(), export_path_.has_value() || shown_levels() > 0};
-}
-
 void Session::finish_refinement() {
   do {
-    LiveRefinement::Wish wanted = wish();
-    wanted.is_stroking = false;
-    refinement_.follow(document_, wanted);
+    refinement_.follow(document_, {false, export_path_.has_value()});
     refinement_.wait_until_idle();
     follow_second();
     second_.wait_until_idle();
@@ -137,7 +125,7 @@ void Session::show(Project project) {
   if (const std::size_t kinds = document_.import_report.mends.size(); kinds > 0) {
     const Mend& first = document_.import_report.mends.front();
     toast(Kind::kNote, fmt::format("{}: {}{}", document_.name, sentence_of(first.kind, first.count),
-                                   kinds > 1 ? " More in the panel." : ""));
+                                   kinds > 1 ? " The panel on the right tells of the rest." : ""));
   }
 }
 
@@ -203,10 +191,12 @@ bool Session::perform_program(const ui::Action& action) {
       return true;
     case kKeymapOriginal:
       keymap_ = ui::KeymapId::kOriginal;
+      navigation_.preset = ui::NavigationPreset::kOriginal;
       brush_.tool = ui::Tool::kPaint;
       return true;
     case kKeymapClassroom:
       keymap_ = ui::KeymapId::kClassroom;
+      navigation_.preset = ui::NavigationPreset::kClassroom;
       brush_.tool = ui::Tool::kOrbit;
       return true;
     case kCancel:
@@ -301,6 +291,7 @@ ui::Model Session::model() const {
       .brush = brush_,
       .keymap = keymap_,
       .view = camera_.view(),
+      .navigation = navigation_,
       .depth_counts = document_.depths.histogram(),
       .crease_counts = facts_.creases(),
       .valence_counts = valences_.counts(),

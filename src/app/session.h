@@ -15,7 +15,6 @@
 #include "app/autosave.h"
 #include "app/camera_motion.h"
 #include "app/export_job.h"
-#include "app/file_access.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
 #include "app/scheme_facts.h"
@@ -41,10 +40,6 @@ struct SessionHost {
   VisibleFaces visible_faces;
   /// Where copies of unsaved work are kept (recovery_store.h). Empty: nowhere.
   std::filesystem::path recovery_folder{};
-  /// What is read and written; must outlive the session. Null: the disk.
-  FileAccess* files = nullptr;
-  /// When news of other threads are taken in; must outlive the session. Null: as they come.
-  Arrivals* arrivals = nullptr;
 };
 
 /// One run of the program at work on one document at a time: everything but the window.
@@ -94,6 +89,7 @@ class Session {
   [[nodiscard]] const ui::Modal& modal() const noexcept { return modal_; }
   [[nodiscard]] std::span<const ui::Toast> toasts() const noexcept { return toasts_.shown(); }
   [[nodiscard]] ui::KeymapId keymap() const noexcept { return keymap_; }
+  [[nodiscard]] const ui::NavigationSettings& navigation() const noexcept { return navigation_; }
   [[nodiscard]] double dihedral_threshold() const noexcept { return dihedral_threshold_; }
   [[nodiscard]] double crease_sharpness() const noexcept { return crease_sharpness_; }
   [[nodiscard]] const std::vector<std::string>& recent_files() const noexcept { return recent_; }
@@ -113,6 +109,7 @@ class Session {
   /// Chosen in an earlier run.
   void restore(const ui::DisplaySettings& display, ui::KeymapId keymap, double brush_radius,
                double dihedral_threshold);
+  void set_navigation(const ui::NavigationSettings& navigation) { navigation_ = navigation; }
   void set_crease_sharpness(double sharpness) noexcept { crease_sharpness_ = sharpness; }
   void set_recent_files(std::vector<std::string> files) { recent_ = std::move(files); }
   /// For tests: instead of what the machine can spare.
@@ -142,7 +139,7 @@ class Session {
 
   /// Where the next frame shall be written as a picture, once.
   [[nodiscard]] std::optional<std::filesystem::path> take_screenshot_request();
-  void write_screenshot(const std::filesystem::path& path, const render::Image& image);
+  void report_screenshot(const std::filesystem::path& path, const Result<void>& written);
   [[nodiscard]] bool wants_to_quit() const noexcept { return wants_to_quit_; }
 
  private:
@@ -162,6 +159,7 @@ class Session {
   bool perform_edge(const ui::Action& action);
   bool perform_display(const ui::Action& action);  // session_view.cpp
   bool perform_camera(const ui::Action& action);
+  bool perform_navigation(const ui::Action& action);
   bool perform_report(const ui::Action& action);  // session_report.cpp
 
   void recover();
@@ -207,15 +205,11 @@ class Session {
   [[nodiscard]] ui::SchemeStatus scheme_status() const;
   [[nodiscard]] ui::SecondStatus second_status() const;
   [[nodiscard]] int second_levels() const noexcept;
-  /// As a stage's: how far the refined mesh that is shown goes.
-  [[nodiscard]] int shown_levels() const noexcept;
-  [[nodiscard]] LiveRefinement::Wish wish() const noexcept;
 
   void frame_faces(std::span<const std::uint32_t> faces);
   void zoom(double factor);
 
   SessionHost host_;
-  FileAccess& files_;
   double now_ = 0.0;
   Document document_;
   History history_;
@@ -233,6 +227,7 @@ class Session {
   ui::DisplaySettings display_;
   ui::BrushSettings brush_;
   ui::KeymapId keymap_ = ui::KeymapId::kOriginal;
+  ui::NavigationSettings navigation_;
   double dihedral_threshold_ = 30.0;
   double crease_sharpness_ = 2.0;
 

@@ -55,9 +55,6 @@ bool Session::perform_display(const ui::Action& action) {
     case kToggleValences:
       set_or_flip(display_.valences, action);
       return true;
-    case kToggleLive:
-      set_or_flip(display_.live, action);
-      return true;
     case kThemeDark:
       display_.theme = ui::Theme::kDark;
       return true;
@@ -70,7 +67,7 @@ bool Session::perform_display(const ui::Action& action) {
 }
 
 bool Session::shows_refined() const noexcept {
-  return shown_levels() > 0 && display_.show != ui::ShowMode::kControl &&
+  return document_.stage.levels > 0 && display_.show != ui::ShowMode::kControl &&
          refinement_.refined() != nullptr;
 }
 
@@ -137,6 +134,25 @@ bool Session::perform_camera(const ui::Action& action) {
       return true;
     case kViewIso:
       look_from(render::NamedView::kThreeQuarter);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Session::perform_navigation(const ui::Action& action) {
+  switch (action.id) {
+    case kNavigationOriginal:
+      navigation_.preset = ui::NavigationPreset::kOriginal;
+      return true;
+    case kNavigationMouseOnly:
+      navigation_.preset = ui::NavigationPreset::kMouseOnly;
+      return true;
+    case kNavigationClassroom:
+      navigation_.preset = ui::NavigationPreset::kClassroom;
+      return true;
+    case kToggleOrbitPivot:
+      set_or_flip(navigation_.orbits_around_cursor, action);
       return true;
     default:
       return false;

@@ -15,12 +15,6 @@ using ui::MouseButton;
 
 constexpr double kBrushPerNotch = 1.12;
 
-/// Whether a press is the camera's and not the tool's.
-bool moves_camera(const ViewportFrame& frame) {
-  return frame.input.modifiers.alt || frame.is_in_second ||
-         !frame.input.is_down(MouseButton::kLeft) || frame.session.brush().tool == ui::Tool::kOrbit;
-}
-
 }  // namespace
 
 void ViewportController::update(const ui::ViewportInput& input, const ViewportPlace& place,
@@ -64,9 +58,9 @@ void ViewportController::press(const ViewportFrame& frame) {
   if (drag_ != Drag::kNone && !adds_button) {
     return;  // A second button changes nothing, but Alt + left and right together pan.
   }
-  if (moves_camera(frame)) {
+  if (const auto gesture = CameraDrag::gesture_at(frame, last_)) {
     drag_ = Drag::kCamera;
-    camera_.begin(CameraDrag::kind_of(frame.input), frame, last_);
+    camera_.begin(*gesture, frame, last_);
   } else if (ui::picks_edges(frame.session.brush().tool)) {
     drag_ = Drag::kEdge;
     edge_tools::press(frame, last_);

@@ -16,9 +16,9 @@ class Session;
 /// belongs: the camera, the tools that paint, or those for edges.
 ///
 /// What a drag does is settled when its first button goes down and stays so until the last is up:
-/// left uses the tool (Shift or Ctrl lowers), middle or right orbits, with Shift they pan; with
-/// Alt every button moves the camera (camera_drag.h). The wheel dollies towards what is under the
-/// cursor; with Ctrl it sizes the brush.
+/// left uses the tool (Shift or Ctrl lowers), the other buttons move the camera, and with Alt every
+/// one does (ui/mouse_map.h). The wheel dollies towards what is under the cursor; with Ctrl it
+/// sizes the brush.
 ///
 /// In the second half of a split viewport there is nothing to paint or to pick: every left drag
 /// moves the camera there, which is that of both halves.

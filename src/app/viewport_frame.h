@@ -50,6 +50,10 @@ struct ViewportFrame {
   /// What shows at a place of the half that the cursor is in; nothing in the second, where there is
   /// nothing to pick.
   [[nodiscard]] std::optional<render::PickedFace> pick(render::FramebufferPoint at) const;
+  /// For moving the camera, which is that of both halves: what shows there in the first.
+  [[nodiscard]] std::optional<render::PickedFace> pick_in_first(render::FramebufferPoint at) const {
+    return picker.pick(at);
+  }
 };
 
 }  // namespace limn::app

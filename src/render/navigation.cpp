@@ -58,6 +58,20 @@ ViewState orbit(const ViewState& view, double dx, double dy) {
   return turned;
 }
 
+ViewState orbit_about(const ViewState& view, double dx, double dy, const glm::dvec3& pivot) {
+  // As seen along the eye's own axes, the way from the pivot to the target stays the same.
+  const auto camera_of = [](const ViewState& state) {
+    return make_camera(state, Bounds{state.target, state.target}, {});
+  };
+  const Camera before = camera_of(view);
+  ViewState turned = orbit(view, dx, dy);
+  const Camera after = camera_of(turned);
+  const glm::dvec3 way = view.target - pivot;
+  turned.target = pivot + glm::dot(before.right, way) * after.right +
+                  glm::dot(before.up, way) * after.up + glm::dot(before.back, way) * after.back;
+  return turned;
+}
+
 ViewState pan(const ViewState& view, FramebufferSize size, const PanDrag& drag) {
   const Camera camera = make_camera(view, Bounds{view.target, view.target}, size);
   const glm::dvec3 grabbed = world_at(camera, drag.from, drag.view_depth);

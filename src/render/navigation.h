@@ -17,6 +17,11 @@ namespace limn::render {
 /// mouse. Pitch stops at straight up and down; yaw stays within -180..180.
 [[nodiscard]] ViewState orbit(const ViewState& view, double dx, double dy);
 
+/// The same about any point, which stays where it shows: the eye goes round it as if it were the
+/// target. Distance and kind of projection stay.
+[[nodiscard]] ViewState orbit_about(const ViewState& view, double dx, double dy,
+                                    const glm::dvec3& pivot);
+
 /// What a pan needs to know of the drag.
 struct PanDrag {
   FramebufferPoint from;

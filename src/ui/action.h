@@ -63,7 +63,6 @@ enum class ActionId : std::uint8_t {
   kSubdivide,          ///< To the end.
   kSubdivideOneLevel,  ///< One level more than is shown now.
   kBackToControl,      ///< Stage 0: nothing subdivided, labels as painted.
-  kToggleLive,         ///< At stage 0 the refined mesh follows the painting.
   kApply,              ///< The refined mesh becomes the control mesh.
   kAdaptiveCatmullClark,
   kAdaptiveLoop,        ///< With Loop's weights.
@@ -125,6 +124,10 @@ enum class ActionId : std::uint8_t {
   kViewTop,
   kViewBottom,
   kViewIso,
+  kNavigationOriginal,   ///< Alt and the buttons move the camera.
+  kNavigationMouseOnly,  ///< No key is needed.
+  kNavigationClassroom,  ///< Left turns, right shifts, middle zooms.
+  kToggleOrbitPivot,     ///< Orbit around what is under the cursor.
 
   // What was mended when the mesh was opened
   kNextMend,      ///< int, a MendKind: lead to its next element.

@@ -93,9 +93,6 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Show one level of the subdivision more."},
     {kBackToControl, kRefine, kNothing, "Back to control mesh",
      "Show the mesh before any subdivision. The painting stays."},
-    {kToggleLive, kRefine, ValueKind::kToggle, "Follow the painting",
-     "Refine anew after every stroke, so that the refined mesh is always that of the painting. "
-     "Without it you subdivide step by step."},
     {kApply, kRefine, kNothing, "Apply as control mesh",
      "Make the refined mesh the new control mesh, unpainted. From then on it is a mesh of its own "
      "with another limit surface. Can be undone."},
@@ -212,6 +209,18 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kViewTop, kCamera, kNothing, "Top view", "Look from above, along -Y."},
     {kViewBottom, kCamera, kNothing, "Bottom view", "Look from below, along +Y."},
     {kViewIso, kCamera, kNothing, "Three-quarter view", "Look from the upper right front."},
+    {kNavigationOriginal, kCamera, kNothing, "Navigate with Alt",
+     "Alt and the left button orbit, Alt and the middle one pan, Alt and the right one zoom; the "
+     "middle button alone orbits."},
+    {kNavigationMouseOnly, kCamera, kNothing, "Navigate with the mouse alone",
+     "The right button orbits, and so does a left drag that begins beside the mesh; the middle "
+     "button pans."},
+    {kNavigationClassroom, kCamera, kNothing, "Navigate as in class",
+     "A left drag beside the mesh orbits, with the orbit tool a left drag anywhere; the right "
+     "button pans, the middle one zooms."},
+    {kToggleOrbitPivot, kCamera, ValueKind::kToggle, "Orbit around cursor",
+     "Turn the view around the place of the mesh that is under the cursor when the drag begins, "
+     "so that it stays there. Otherwise around the middle of the view."},
 
     {kNextMend, kCamera, ValueKind::kInt, "Show next mended place",
      "Move the camera to the next place of this kind and mark it. After the last comes the first."},

@@ -11,6 +11,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "ui/axis_gizmo.h"
 #include "ui/keys.h"
 #include "ui/panels.h"
 
@@ -217,9 +218,19 @@ GuiFrame Gui::frame(const Model& model, const InputFrame& input, WindowSize wind
 
   const bool is_over_viewport = input.cursor && out.viewport.contains(*input.cursor) &&
                                 !io.WantCaptureMouse && !is_modal && !has_menu;
-  out.viewport_input = state.router.route(input, is_over_viewport);
+  // The axes lie over the viewport: what begins on them is theirs.
+  const bool is_pressed = input.button && input.button->is_down;
+  std::optional<ActionId> axis;
+  if (is_over_viewport && (is_pressed || !input.any_button_down())) {
+    axis = axis_end_at(context, out.viewport, *input.cursor);
+  }
+  out.viewport_input = state.router.route(input, is_over_viewport && !axis);
+  if (axis && is_pressed && input.button->button == MouseButton::kLeft &&
+      !out.viewport_input.owns_drag) {
+    out.actions.emplace_back(*axis);
+  }
 
-  draw_overlays(context, out.viewport);
+  draw_overlays(context, out.viewport, out.viewport_input.owns_drag ? std::nullopt : axis);
   draw_tool_strip(context, {{0.0, top}, {strip, middle}});
   draw_side_panel(context, {{window.width - panel, top}, {panel, middle}});
   draw_modal(context, window);

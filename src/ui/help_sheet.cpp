@@ -7,6 +7,7 @@
 
 #include "ui/action_table.h"
 #include "ui/keymap.h"
+#include "ui/mouse_map.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -18,14 +19,16 @@ struct MouseLine {
   std::string_view how;
 };
 
-constexpr std::array<MouseLine, 8> kMouse{{{"Use the tool", "Left drag"},
-                                           {"Lower by 1", "Shift or Ctrl + left drag"},
-                                           {"Orbit", "Middle drag, or Alt + left drag"},
-                                           {"Pan", "Shift + middle drag, or Alt + middle drag"},
-                                           {"Zoom", "Wheel, or Alt + right drag"},
-                                           {"Brush size", "Ctrl + wheel"},
-                                           {"Type a value", "Ctrl + click on a slider"},
-                                           {"Open a file", "Drop it on the window"}}};
+constexpr std::array<MouseLine, 2> kToolMouse{
+    {{"Use the tool", "Left drag"}, {"Lower by 1", "Shift or Ctrl + left drag"}}};
+constexpr std::array<MouseLine, 3> kOtherMouse{{{"Brush size", "Ctrl + wheel"},
+                                                {"Type a value", "Ctrl + click on a slider"},
+                                                {"Open a file", "Drop it on the window"}}};
+
+std::string_view name_of(CameraGesture gesture) {
+  constexpr std::array<std::string_view, kCameraGestureCount> kNames{"Orbit", "Pan", "Zoom"};
+  return kNames[static_cast<std::size_t>(gesture)];
+}
 
 void line(PanelContext& context, std::string_view what, std::string_view how) {
   const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -88,7 +91,14 @@ void draw_help_sheet(PanelContext& context) {
   };
   in_column("##first", [&] {
     group_title(context, "Mouse");
-    for (const MouseLine& entry : kMouse) {
+    for (const MouseLine& entry : kToolMouse) {
+      line(context, entry.what, entry.how);
+    }
+    for (const GestureLine& entry : gesture_lines(context.model.navigation.preset)) {
+      line(context, name_of(entry.gesture), entry.how);
+      remember(context, "help: " + std::string(entry.how));
+    }
+    for (const MouseLine& entry : kOtherMouse) {
       line(context, entry.what, entry.how);
     }
     group(context, ActionGroup::kPaint);

@@ -86,6 +86,13 @@ void view_menu(PanelContext& context) {
   items(context, {kViewFront, kViewBack, kViewLeft, kViewRight, kViewTop, kViewBottom, kViewIso,
                   kToggleOrthographic});
   ImGui::Separator();
+  if (begin_menu(context, "Navigation")) {
+    items(context, {kNavigationOriginal, kNavigationMouseOnly, kNavigationClassroom});
+    ImGui::Separator();
+    items(context, {kToggleOrbitPivot});
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
   items(context, {kThemeDark, kThemeLight});
   ImGui::EndMenu();
 }
@@ -94,7 +101,7 @@ void mesh_menu(PanelContext& context) {
   if (!begin_menu(context, "Mesh")) {
     return;
   }
-  items(context, {kToggleLive, kSubdivide, kSubdivideOneLevel, kBackToControl, kRemoveIllegal});
+  items(context, {kSubdivide, kSubdivideOneLevel, kBackToControl, kRemoveIllegal});
   ImGui::Separator();
   if (begin_menu(context, "Painted faces")) {
     items(context, {kAdaptiveCatmullClark, kAdaptiveLoop, kAdaptiveLoopWarren});

@@ -18,6 +18,7 @@
 #include "limn/painting/crease_palette.h"
 #include "limn/painting/valence_palette.h"
 #include "limn/subdivision/settings.h"
+#include "ui/navigation_settings.h"
 #include "ui/window_geometry.h"
 
 namespace limn {
@@ -52,9 +53,6 @@ struct DisplaySettings {
   bool creases = true;         ///< Sharp edges and vertices, coloured by sharpness.
   bool faces = true;           ///< Otherwise the edges alone, as far as there is a wireframe.
   bool valences = false;       ///< Irregular vertices as dots with their valence.
-  /// Where no stage of the subdivision is asked for, the refined mesh is that of the painting to the
-  /// end.
-  bool live = true;
   std::optional<SchemeSettings> second{};  ///< A uniform scheme beside what the document shows.
 
   [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
@@ -113,7 +111,7 @@ struct LegalityStatus {
 struct RefinementStatus {
   std::optional<RunningRefinement> running;
   const RefinementPrediction* prediction = nullptr;  ///< To the end, for the painting as it is.
-  std::optional<RefinementResult> result;            ///< Empty where nothing is refined.
+  std::optional<RefinementResult> result;            ///< Empty at stage 0.
   std::optional<LegalityStatus> legality;
 };
 
@@ -262,6 +260,7 @@ struct Model {
   BrushSettings brush{};
   KeymapId keymap = KeymapId::kOriginal;
   ViewState view{};
+  NavigationSettings navigation{};
 
   DepthCounts depth_counts{};
   CreaseCounts crease_counts{};      ///< Sharp edges and vertices by how sharp they are.

@@ -1,12 +1,12 @@
-// What lies over the viewport and takes no clicks: legend, axes, toasts.
+// What lies over the viewport: legend, captions, axes, toasts. The axes alone take clicks.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <string>
 
 #include "limn/document/document.h"
 #include "limn/mesh/statistics.h"
+#include "ui/axis_gizmo.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/scheme_text.h"
@@ -14,52 +14,6 @@
 
 namespace limn::ui {
 namespace {
-
-struct Axis {
-  const char* name;
-  std::array<double, 3> direction;
-  ImU32 colour;
-};
-
-constexpr std::array<Axis, 3> kAxes{{{"X", {1, 0, 0}, IM_COL32(0xE0, 0x5A, 0x5A, 0xFF)},
-                                     {"Y", {0, 1, 0}, IM_COL32(0x6F, 0xB0, 0x4A, 0xFF)},
-                                     {"Z", {0, 0, 1}, IM_COL32(0x5B, 0x8D, 0xE0, 0xFF)}}};
-
-/// Right, up and towards the viewer of a direction in the mesh's frame (ViewState's yaw, pitch).
-std::array<double, 3> to_view(const ViewState& view, const std::array<double, 3>& d) {
-  const double yaw = view.yaw * std::numbers::pi / 180.0;
-  const double pitch = view.pitch * std::numbers::pi / 180.0;
-  const double right = std::cos(yaw) * d[0] - std::sin(yaw) * d[2];
-  const double ahead = std::sin(yaw) * d[0] + std::cos(yaw) * d[2];
-  return {right, std::cos(pitch) * d[1] - std::sin(pitch) * ahead,
-          std::sin(pitch) * d[1] + std::cos(pitch) * ahead};
-}
-
-void draw_axes(PanelContext& context, ImDrawList& list, ImVec2 centre) {
-  struct Arm {
-    const Axis* axis;
-    std::array<double, 3> seen;
-  };
-  std::array<Arm, 3> arms{};
-  for (std::size_t i = 0; i < arms.size(); ++i) {
-    arms[i] = {&kAxes[i], to_view(context.model.view, kAxes[i].direction)};
-  }
-  std::sort(arms.begin(), arms.end(),
-            [](const Arm& a, const Arm& b) { return a.seen[2] < b.seen[2]; });
-  ImFont* font = context.fonts.head;
-  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const float length = context.px(24);
-  for (const Arm& arm : arms) {
-    const ImVec2 tip{centre.x + static_cast<float>(arm.seen[0]) * length,
-                     centre.y - static_cast<float>(arm.seen[1]) * length};
-    const ImU32 colour = faded(arm.axis->colour, arm.seen[2] < -0.1 ? 0.55F : 1.0F);
-    list.AddLine(centre, tip, colour, context.px(2));
-    list.AddCircleFilled(tip, context.px(8), colour);
-    const ImVec2 text = font->CalcTextSizeA(size, 1.0e6F, 0.0F, arm.axis->name);
-    list.AddText(font, size, {std::floor(tip.x - text.x / 2.0F), std::floor(tip.y - text.y / 2.0F)},
-                 IM_COL32_WHITE, arm.axis->name);
-  }
-}
 
 /// Side by side, lower left in the first half of the viewport, as many as there is room for.
 void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& look,
@@ -181,14 +135,14 @@ void draw_toasts(PanelContext& context, ImDrawList& list, const WindowRect& view
 
 }  // namespace
 
-void draw_overlays(PanelContext& context, const WindowRect& viewport) {
+void draw_overlays(PanelContext& context, const WindowRect& viewport,
+                   std::optional<ActionId> lit_axis) {
   // The background list lies under every window and over the picture.
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 low{static_cast<float>(viewport.origin.x), static_cast<float>(viewport.origin.y)};
   const ImVec2 high{low.x + static_cast<float>(viewport.size.width),
                     low.y + static_cast<float>(viewport.size.height)};
   list.PushClipRect(low, high);
-  const float margin = context.px(16);
   const WindowRect first = viewport_halves(viewport, is_split(context.model)).first;
   const LegendLook look{context.fonts, context.colours, context.unit};
   draw_legends(context, list, look, first);
@@ -196,7 +150,7 @@ void draw_overlays(PanelContext& context, const WindowRect& viewport) {
   if (context.model.mend_marker) {
     draw_mend_marker(context, list, *context.model.mend_marker);
   }
-  draw_axes(context, list, {high.x - margin - context.px(32), high.y - margin - context.px(32)});
+  draw_axis_gizmo(context, list, viewport, lit_axis);
   draw_toasts(context, list, viewport);
   list.PopClipRect();
 }

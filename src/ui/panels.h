@@ -17,7 +17,9 @@ float draw_menu_bar(PanelContext& context);
 void draw_tool_strip(PanelContext& context, const WindowRect& place);
 void draw_side_panel(PanelContext& context, const WindowRect& place);
 void draw_status_line(PanelContext& context, const WindowRect& place, const ViewportInput& input);
-void draw_overlays(PanelContext& context, const WindowRect& viewport);
+/// `lit_axis`: the end of an axis under the cursor.
+void draw_overlays(PanelContext& context, const WindowRect& viewport,
+                   std::optional<ActionId> lit_axis);
 /// Dialogs, help sheet and path prompt: whatever Model::modal holds.
 void draw_modal(PanelContext& context, WindowSize window);
 /// Enter of either block went down in this frame.

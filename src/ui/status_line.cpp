@@ -7,6 +7,7 @@
 #include "limn/document/document.h"
 #include "limn/subdivision/prediction.h"
 #include "ui/format.h"
+#include "ui/mouse_map.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -87,11 +88,13 @@ std::string mouse_hint(const Model& model, const ViewportInput& input) {
     return "Ctrl + left drag: depth −1 · Ctrl + wheel: brush size";
   }
   if (held.shift && is_brush) {
-    return "Shift + left drag: depth −1 · Shift + middle drag: pan";
+    return model.navigation.preset == NavigationPreset::kOriginal
+               ? "Shift + left drag: depth −1 · Shift + middle drag: pan"
+               : "Shift + left drag: depth −1";
   }
   const bool is_orbit = model.brush.tool == Tool::kOrbit;
-  return is_orbit ? "Left or middle drag: orbit · Shift + middle drag: pan · Wheel: zoom"
-                  : tool_hint(model) + " · Alt or middle drag: orbit · Wheel: zoom";
+  const std::string camera(navigation_hint(model.navigation.preset, is_orbit));
+  return is_orbit ? camera : tool_hint(model) + " · " + camera;
 }
 
 void draw_status_line(PanelContext& context, const WindowRect& place, const ViewportInput& input) {

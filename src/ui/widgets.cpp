@@ -141,9 +141,18 @@ void explain(PanelContext& context, const Action& action) {
 
 void explain(PanelContext& context, std::string_view title, std::string_view text,
              std::string_view keys) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-    return;
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    explain_here(context, title, text, keys);
   }
+}
+
+void explain_here(PanelContext& context, const Action& action) {
+  explain_here(context, info(action.id).label, info(action.id).tooltip,
+               all_keys_text(context.model.keymap, action));
+}
+
+void explain_here(PanelContext& context, std::string_view title, std::string_view text,
+                  std::string_view keys) {
   context.hint = std::string(title) + ": " + std::string(text);
   std::replace(context.hint.begin(), context.hint.end(), '\n', ' ');
   const ImGuiID id = ImGui::GetID(title.data(), title.data() + title.size());

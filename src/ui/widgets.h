@@ -86,6 +86,10 @@ void value_row(PanelContext& context, const ValueRow& row);
 void explain(PanelContext& context, const Action& action);
 void explain(PanelContext& context, std::string_view title, std::string_view text,
              std::string_view keys = {});
+/// The same of what is drawn under the cursor without being an item.
+void explain_here(PanelContext& context, const Action& action);
+void explain_here(PanelContext& context, std::string_view title, std::string_view text,
+                  std::string_view keys = {});
 
 /// Remembers where the item drawn last is.
 void remember(PanelContext& context, std::string_view name);

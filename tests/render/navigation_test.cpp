@@ -69,6 +69,42 @@ TEST(Orbit, KeepsTargetAndDistance) {
   }
 }
 
+TEST(Orbit, AboutAPointKeepsItWhereItShowsAndHowDeep) {
+  for (const ViewState& view : views()) {
+    const Camera before = make_camera(view, kScene, kImageSize);
+    for (const double depth : {0.3, 1.0, 2.5}) {
+      const glm::dvec3 pivot = world_at(before, {630.0, 90.5}, depth * view.distance);
+      const ViewState turned = orbit_about(view, 0.21, -0.13, pivot);
+      const auto shown = project(make_camera(turned, Bounds{pivot, pivot}, kImageSize), pivot);
+      ASSERT_TRUE(shown);
+      expect_same_place(shown->point, {630.0, 90.5});
+      EXPECT_NEAR(shown->view_depth, depth * view.distance, 1e-9 * view.distance);
+      EXPECT_EQ(turned.distance, view.distance);
+      EXPECT_EQ(turned.yaw, orbit(view, 0.21, -0.13).yaw);
+      EXPECT_EQ(turned.pitch, orbit(view, 0.21, -0.13).pitch);
+    }
+  }
+}
+
+TEST(Orbit, AboutTheTargetIsThePlainOne) {
+  for (const ViewState& view : views()) {
+    const ViewState turned = orbit_about(view, 0.37, -0.21, view.target);
+    EXPECT_LT(glm::length(turned.target - view.target), 1e-12);
+  }
+}
+
+TEST(Orbit, AboutAPointAtThePoleStaysThere) {
+  ViewState view;
+  view.pitch = 80.0;
+  const glm::dvec3 pivot{0.4, 0.2, 0.1};
+  const FramebufferPoint before = shown_at(view, pivot);
+  for (int i = 0; i < 20; ++i) {
+    view = orbit_about(view, 0.05, 0.05, pivot);
+  }
+  EXPECT_EQ(view.pitch, 90.0);
+  expect_same_place(shown_at(view, pivot), before);
+}
+
 TEST(Pan, WhatWasGrabbedFollowsTheMouse) {
   for (const ViewState& view : views()) {
     for (const double part : {0.3, 1.0, 2.5}) {
