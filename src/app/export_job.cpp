@@ -7,10 +7,10 @@
 namespace limn::app {
 namespace {
 
-Result<void> write(const std::filesystem::path& path, const RefinedMesh& mesh,
+Result<void> write(FileAccess& files, const std::filesystem::path& path, const RefinedMesh& mesh,
                    const ExportSettings& settings) {
   try {
-    return export_mesh(path, mesh, settings);
+    return files.write_mesh(path, mesh, settings);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::kFailed, "There is not enough memory to write this mesh.",
                 path.string());
@@ -29,19 +29,9 @@ void ExportJob::start(std::filesystem::path path, std::shared_ptr<const RefinedM
                           copy = settings]() mutable {
     copy.depths = depths;
     copy.control = control.get();
-    Outcome outcome{path, mesh->face_count(), write(path, *mesh, copy)};
-    {
-      const std::lock_guard lock(mutex_);
-      outcome_ = std::move(outcome);
-      is_busy_ = false;
-    }
+    outcomes_.put({path, mesh->face_count(), write(files_, path, *mesh, copy)});
     wake_();
   });
-}
-
-bool ExportJob::is_busy() const {
-  const std::lock_guard lock(mutex_);
-  return is_busy_;
 }
 
 void ExportJob::wait_until_idle() {
@@ -51,8 +41,12 @@ void ExportJob::wait_until_idle() {
 }
 
 std::optional<ExportJob::Outcome> ExportJob::take_outcome() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(outcome_, std::nullopt);
+  std::vector<Outcome> outcomes = outcomes_.take();
+  if (outcomes.empty()) {
+    return std::nullopt;
+  }
+  is_busy_ = false;
+  return std::move(outcomes.back());
 }
 
 }  // namespace limn::app

@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "app/file_access.h"
+#include "app/mailbox.h"
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/export.h"
@@ -23,7 +24,9 @@ namespace limn::app {
 class ExportJob {
  public:
   /// `wake` is called from the worker when a file is done.
-  explicit ExportJob(std::function<void()> wake) : wake_(std::move(wake)) {}
+  /// `arrivals` is that of its Mailbox, "export"; `files` must outlive this.
+  explicit ExportJob(std::function<void()> wake, FileAccess& files, Arrivals* arrivals = nullptr)
+      : wake_(std::move(wake)), files_(files), outcomes_("export", arrivals) {}
   /// Finishes what it is writing.
   ~ExportJob() { wait_until_idle(); }
   ExportJob(const ExportJob&) = delete;
@@ -39,16 +42,17 @@ class ExportJob {
   /// for colours, which must outlive this.
   void start(std::filesystem::path path, std::shared_ptr<const RefinedMesh> mesh,
              std::shared_ptr<const ControlMesh> control, const ExportSettings& settings);
-  [[nodiscard]] bool is_busy() const;
+  /// Whether the outcome of a file is on its way.
+  [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
   void wait_until_idle();
   /// How it went with the file that was done last; once for each.
   [[nodiscard]] std::optional<Outcome> take_outcome();
 
  private:
   std::function<void()> wake_;
-  mutable std::mutex mutex_;
+  FileAccess& files_;
+  Mailbox<Outcome> outcomes_;
   bool is_busy_ = false;
-  std::optional<Outcome> outcome_;
   std::jthread worker_;
 };
 

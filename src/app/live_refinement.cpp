@@ -48,7 +48,7 @@ void LiveRefinement::follow(const Document& document, const Wish& wish) {
       same(submitted_, document.revisions)) {
     return;
   }
-  if (wish.is_stroking && job_.status().is_busy) {
+  if (wish.is_stroking && is_waiting_) {
     return;
   }
   // Other creases give another refinement of the same surface: the last one stays until it is
@@ -66,6 +66,7 @@ void LiveRefinement::follow(const Document& document, const Wish& wish) {
   submitted_ = document.revisions;
   submitted_scheme_ = scheme;
   submitted_levels_ = levels;
+  is_waiting_ = true;
   job_.submit({++serial_, document.control, document.depths, document.settings, scheme, levels,
                std::max(budget_, raised_budget_),
                memory_budget_ ? *memory_budget_ : memory_budget()});
@@ -73,8 +74,15 @@ void LiveRefinement::follow(const Document& document, const Wish& wish) {
 
 bool LiveRefinement::update() {
   const auto result = job_.take_result();
+  if (auto error = job_.take_error()) {
+    error_ = std::move(error);
+    is_waiting_ = false;
+  }
   if (!result || result->control != control_) {
     return false;
+  }
+  if (result->is_final) {
+    is_waiting_ = false;
   }
   if (!newest_ || newest_->labels != result->labels) {
     ++labels_revision_;
@@ -99,6 +107,7 @@ void LiveRefinement::set_refined(std::shared_ptr<const JobResult> result) {
 }
 
 void LiveRefinement::cancel() {
+  is_waiting_ = false;
   job_.cancel();
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/refinement_job.h"
@@ -19,7 +20,10 @@ class LiveRefinement {
   static constexpr std::uint64_t kDefaultBudget = 5'000'000;
 
   /// `wake` is called from the worker's thread when `update` has something to do.
-  explicit LiveRefinement(std::function<void()> wake) : job_(std::move(wake)) {}
+  /// `name` and `arrivals` are those of the job's Mailbox.
+  explicit LiveRefinement(std::function<void()> wake, std::string name = "refinement",
+                          Arrivals* arrivals = nullptr)
+      : job_(std::move(wake), std::move(name), arrivals) {}
 
   struct Wish {
     bool is_stroking = false;    ///< Wait for what runs instead of starting over at every dab.
@@ -42,7 +46,8 @@ class LiveRefinement {
   void restart();
   void wait_until_idle() const { job_.wait_until_idle(); }
 
-  [[nodiscard]] bool is_busy() const { return job_.status().is_busy; }
+  /// Whether something was asked for that has not come yet, and was not given up.
+  [[nodiscard]] bool is_busy() const noexcept { return is_waiting_; }
   /// Whether all that was asked for is there: nothing runs, nothing was given up.
   [[nodiscard]] bool is_up_to_date() const noexcept;
   /// Labels of the newest painting they are known for; null before the first.
@@ -68,7 +73,7 @@ class LiveRefinement {
   [[nodiscard]] std::uint64_t face_budget() const noexcept { return budget_; }
 
   /// Why the last refinement failed, once.
-  [[nodiscard]] std::optional<Error> take_error() { return job_.take_error(); }
+  [[nodiscard]] std::optional<Error> take_error() { return std::exchange(error_, std::nullopt); }
 
   /// For the panels. Pointers in it live until the next `update`.
   [[nodiscard]] ui::RefinementStatus status() const;
@@ -86,6 +91,8 @@ class LiveRefinement {
   std::optional<SchemeSettings> submitted_scheme_;
   int submitted_levels_ = -1;  ///< -1: submit at the next opportunity.
   std::uint64_t serial_ = 0;
+  bool is_waiting_ = false;  ///< For what was last submitted.
+  std::optional<Error> error_;
 
   std::shared_ptr<const JobResult> newest_;
   std::shared_ptr<const JobResult> refined_;

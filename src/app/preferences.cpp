@@ -80,6 +80,7 @@ Preferences from_json(const Json& json) {
   display.read("smooth", preferences.display.smooth);
   display.read("light", preferences.display.light);
   display.read("creases", preferences.display.creases);
+  display.read("live", preferences.display.live);
 
   root.read("brush_radius", preferences.brush_radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
@@ -119,7 +120,8 @@ Json to_json(const Preferences& preferences) {
        {{"wireframe", display.wireframe},
         {"smooth", display.smooth},
         {"light", display.light},
-        {"creases", display.creases}}},
+        {"creases", display.creases},
+        {"live", display.live}}},
       {"brush_radius", preferences.brush_radius},
       {"dihedral_threshold", preferences.dihedral_threshold},
       {"crease_sharpness", preferences.crease_sharpness},

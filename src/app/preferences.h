@@ -16,7 +16,7 @@ namespace limn::app {
 /// What a person has chosen once and finds again at the next start. Nothing of a document.
 struct Preferences {
   ui::DisplaySettings
-      display;  ///< Theme, wireframe, smooth, light, creases; the rest starts as default.
+      display;  ///< Theme, wireframe, smooth, light, creases, live; the rest starts as default.
   ui::KeymapId keymap = ui::KeymapId::kOriginal;
   ui::NavigationSettings navigation;
   double brush_radius = ui::BrushSettings{}.radius;

@@ -70,8 +70,10 @@ class RefinementJob::JobProgress final : public Progress {
   Clock::time_point shown_at_ = Clock::now();
 };
 
-RefinementJob::RefinementJob(std::function<void()> wake)
-    : wake_(std::move(wake)), worker_([this](const std::stop_token& stop) { work(stop); }) {}
+RefinementJob::RefinementJob(std::function<void()> wake, std::string name, Arrivals* arrivals)
+    : wake_(std::move(wake)),
+      news_(std::move(name), arrivals),
+      worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 RefinementJob::~RefinementJob() {
   cancel();
@@ -83,6 +85,7 @@ void RefinementJob::submit(JobRequest request) {
   {
     const std::lock_guard lock(mutex_);
     ++ticket_;
+    news_.clear();
     waiting_ = std::move(request);
   }
   changed_.notify_all();
@@ -92,6 +95,7 @@ void RefinementJob::cancel() {
   {
     const std::lock_guard lock(mutex_);
     ++ticket_;
+    news_.clear();
     waiting_.reset();
   }
   changed_.notify_all();
@@ -113,12 +117,18 @@ void RefinementJob::wait_until_idle() const {
 }
 
 std::shared_ptr<const JobResult> RefinementJob::take_result() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(result_, nullptr);
+  std::shared_ptr<const JobResult> newest;
+  for (News& piece : news_.take()) {
+    if (auto* error = std::get_if<Error>(&piece)) {
+      error_ = std::move(*error);
+    } else {
+      newest = std::get<std::shared_ptr<const JobResult>>(std::move(piece));
+    }
+  }
+  return newest;
 }
 
 std::optional<Error> RefinementJob::take_error() {
-  const std::lock_guard lock(mutex_);
   return std::exchange(error_, std::nullopt);
 }
 
@@ -140,13 +150,11 @@ void RefinementJob::work(const std::stop_token& stop) {
     try {
       carry_out(request, stop, ticket);
     } catch (const std::bad_alloc&) {
-      publish(ticket, [&] {
-        error_ = Error{ErrorKind::kFailed,
-                       "There is not enough memory for this refinement. Paint less deep, or stop "
-                       "after fewer levels.",
-                       {},
-                       0};
-      });
+      publish(ticket, Error{ErrorKind::kFailed,
+                            "There is not enough memory for this refinement. Paint less deep, or "
+                            "stop after fewer levels.",
+                            {},
+                            0});
     }
     {
       const std::lock_guard lock(mutex_);
@@ -157,14 +165,13 @@ void RefinementJob::work(const std::stop_token& stop) {
   }
 }
 
-template <class Publish>
-void RefinementJob::publish(std::uint64_t ticket, Publish&& publish_locked) {
+void RefinementJob::publish(std::uint64_t ticket, News news) {
   {
     const std::lock_guard lock(mutex_);
     if (ticket != ticket_) {
       return;
     }
-    publish_locked();
+    news_.put(std::move(news));
   }
   wake_();
 }
@@ -175,7 +182,7 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   const ControlMesh& control = *request.control;
   const auto publish_error = [&](Error error) {
     if (error.kind != ErrorKind::kCancelled) {
-      publish(ticket, [&] { error_ = std::move(error); });
+      publish(ticket, std::move(error));
     }
   };
 
@@ -204,7 +211,7 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   result.is_over_budget = request.levels > 0 && (result.memory_budget > 0 ||
                                                  result.prediction.faces > request.face_budget);
   result.is_final = request.levels == 0 || result.is_over_budget;
-  publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
+  publish(ticket, std::make_shared<const JobResult>(result));
   if (result.is_final) {
     return;
   }
@@ -219,7 +226,7 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   result.surface = std::make_shared<const render::Surface>(
       render::make_surface(*result.mesh, control.bounds().centre(), control.face_count()));
   result.is_final = true;
-  publish(ticket, [&] { result_ = std::make_shared<const JobResult>(result); });
+  publish(ticket, std::make_shared<const JobResult>(result));
 }
 
 Result<void> RefinementJob::refine(const JobRequest& request, JobResult& result,

@@ -10,8 +10,10 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
+#include "app/mailbox.h"
 #include "limn/document/refinement.h"
 #include "limn/document/scheme_refinement.h"
 #include "limn/error.h"
@@ -70,15 +72,18 @@ struct JobStatus {
 /// called from the worker whenever there is something new to look at.
 class RefinementJob {
  public:
-  explicit RefinementJob(std::function<void()> wake);
+  /// `name` and `arrivals` are those of its Mailbox.
+  explicit RefinementJob(std::function<void()> wake, std::string name = "refinement",
+                         Arrivals* arrivals = nullptr);
   /// Cancels what runs and waits for the worker to notice.
   ~RefinementJob();
   RefinementJob(const RefinementJob&) = delete;
   RefinementJob& operator=(const RefinementJob&) = delete;
 
-  /// Works on this next; what runs or waits for an older request is given up.
+  /// Works on this next; what runs or waits for an older request is given up, and what came of it
+  /// and was not taken yet is thrown away.
   void submit(JobRequest request);
-  /// Gives up what runs and what waits.
+  /// Gives up what runs and what waits, in the same way.
   void cancel();
 
   [[nodiscard]] JobStatus status() const;
@@ -87,22 +92,23 @@ class RefinementJob {
 
   /// The newest result, handed out once.
   [[nodiscard]] std::shared_ptr<const JobResult> take_result();
-  /// Why the last request came to nothing, other than by cancelling.
+  /// Why the last request came to nothing, other than by cancelling; known after `take_result`.
   [[nodiscard]] std::optional<Error> take_error();
 
  private:
   class JobProgress;
+  using News = std::variant<std::shared_ptr<const JobResult>, Error>;
 
   void work(const std::stop_token& stop);
   void carry_out(const JobRequest& request, const std::stop_token& stop, std::uint64_t ticket);
   /// Fills in what was asked for after the labels. Errors: those of what makes the mesh.
   [[nodiscard]] Result<void> refine(const JobRequest& request, JobResult& result,
                                     Progress& progress);
-  /// Publishes a result unless a newer request has come in.
-  template <class Publish>
-  void publish(std::uint64_t ticket, Publish&& publish_locked);
+  /// Hands something to the owner unless a newer request has come in.
+  void publish(std::uint64_t ticket, News news);
 
   std::function<void()> wake_;
+  Mailbox<News> news_;
   RefinementSource source_;  ///< The worker's.
 
   mutable std::mutex mutex_;
@@ -111,8 +117,7 @@ class RefinementJob {
   std::uint64_t ticket_ = 0;  ///< Counts submits and cancels: work for an older one is stale.
   JobStatus status_;
   std::chrono::steady_clock::time_point started_;
-  std::shared_ptr<const JobResult> result_;
-  std::optional<Error> error_;
+  std::optional<Error> error_;  ///< The owner's.
 
   std::jthread worker_;  ///< Last, so that it stops before anything it uses is gone.
 };

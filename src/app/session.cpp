@@ -20,10 +20,11 @@ using Kind = ui::Toast::Kind;
 
 Session::Session(SessionHost host)
     : host_(std::move(host)),
-      refinement_(host_.wake),
-      second_(host_.wake),
-      sphere_(host_.wake),
-      exports_(host_.wake),
+      files_(host_.files != nullptr ? *host_.files : disk()),
+      refinement_(host_.wake, "refinement", host_.arrivals),
+      second_(host_.wake, "second", host_.arrivals),
+      sphere_(host_.wake, host_.arrivals),
+      exports_(host_.wake, files_, host_.arrivals),
       autosave_(host_.recovery_folder, host_.wake) {
   LIMN_EXPECTS(host_.wake);
   for (const BundledMesh& mesh : bundled_meshes()) {
@@ -59,10 +60,11 @@ void Session::carry_out(const ui::Action& action) {
 
 bool Session::update(double now) {
   now_ = std::max(now_, now);
-  refinement_.follow(document_, {is_stroking(), export_path_.has_value()});
+  refinement_.follow(document_, wish());
   follow_second();
   bool has_news = refinement_.update();
   has_news |= second_.update();
+  has_news |= sphere_.update();
   if (has_news) {
     update_facts();
   }
@@ -98,9 +100,20 @@ double Session::next_update() const noexcept {
   return camera_.is_gliding() ? now_ : std::min(toasts_.next_end(), autosave_.next());
 }
 
+int Session::shown_levels() const noexcept {
+  const bool follows_painting = display_.live && !document_.scheme && document_.stage.levels == 0;
+  return follows_painting && document_.depths.deepest() > 0 ? kAllLevels : document_.stage.levels;
+}
+
+LiveRefinement::Wish Session::wish() const noexcept {
+  return {is_stroking(), export_path_.has_value() || shown_levels() > 0};
+}
+
 void Session::finish_refinement() {
   do {
-    refinement_.follow(document_, {false, export_path_.has_value()});
+    LiveRefinement::Wish wanted = wish();
+    wanted.is_stroking = false;
+    refinement_.follow(document_, wanted);
     refinement_.wait_until_idle();
     follow_second();
     second_.wait_until_idle();
@@ -125,7 +138,7 @@ void Session::show(Project project) {
   if (const std::size_t kinds = document_.import_report.mends.size(); kinds > 0) {
     const Mend& first = document_.import_report.mends.front();
     toast(Kind::kNote, fmt::format("{}: {}{}", document_.name, sentence_of(first.kind, first.count),
-                                   kinds > 1 ? " The panel on the right tells of the rest." : ""));
+                                   kinds > 1 ? " More in the panel." : ""));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "app/autosave.h"
 #include "app/camera_motion.h"
 #include "app/export_job.h"
+#include "app/file_access.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
 #include "app/scheme_facts.h"
@@ -40,6 +41,10 @@ struct SessionHost {
   VisibleFaces visible_faces;
   /// Where copies of unsaved work are kept (recovery_store.h). Empty: nowhere.
   std::filesystem::path recovery_folder{};
+  /// What is read and written; must outlive the session. Null: the disk.
+  FileAccess* files = nullptr;
+  /// When news of other threads are taken in; must outlive the session. Null: as they come.
+  Arrivals* arrivals = nullptr;
 };
 
 /// One run of the program at work on one document at a time: everything but the window.
@@ -139,7 +144,7 @@ class Session {
 
   /// Where the next frame shall be written as a picture, once.
   [[nodiscard]] std::optional<std::filesystem::path> take_screenshot_request();
-  void report_screenshot(const std::filesystem::path& path, const Result<void>& written);
+  void write_screenshot(const std::filesystem::path& path, const render::Image& image);
   [[nodiscard]] bool wants_to_quit() const noexcept { return wants_to_quit_; }
 
  private:
@@ -205,11 +210,15 @@ class Session {
   [[nodiscard]] ui::SchemeStatus scheme_status() const;
   [[nodiscard]] ui::SecondStatus second_status() const;
   [[nodiscard]] int second_levels() const noexcept;
+  /// As a stage's: how far the refined mesh that is shown goes.
+  [[nodiscard]] int shown_levels() const noexcept;
+  [[nodiscard]] LiveRefinement::Wish wish() const noexcept;
 
   void frame_faces(std::span<const std::uint32_t> faces);
   void zoom(double factor);
 
   SessionHost host_;
+  FileAccess& files_;
   double now_ = 0.0;
   Document document_;
   History history_;

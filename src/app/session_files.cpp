@@ -1,7 +1,6 @@
 // Files: what is opened replaces the document only once it has been read without error, and what
 // would lose changes waits for an answer.
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,12 +8,9 @@
 #include "app/path_prompt.h"
 #include "app/preferences.h"
 #include "app/session.h"
-#include "app/user_folders.h"
 #include "limn/document/commands.h"
 #include "limn/document/export_settings.h"
-#include "limn/document/open.h"
 #include "limn/mesh/export.h"
-#include "limn/mesh/import.h"
 
 namespace limn::app {
 
@@ -87,8 +83,7 @@ bool Session::perform_file(const ui::Action& action) {
       }
       return true;
     case kScreenshot:
-      screenshot_path_ =
-          numbered_file(pictures_folder(), fmt::format("limn-{}", stem_of(document_)), ".png");
+      screenshot_path_ = files_.new_picture(fmt::format("limn-{}", stem_of(document_)));
       return true;
     case kQuit:
       if (may_lose_changes(action, "quit")) {
@@ -124,7 +119,7 @@ void Session::go_on() {
 
 void Session::open(const std::string& name) {
   modal_ = std::monostate{};
-  auto project = open_document(name);
+  auto project = files_.open(name);
   if (!project) {
     show_error("Cannot open " + file_name(name), std::move(project.error()));
     return;
@@ -135,7 +130,7 @@ void Session::open(const std::string& name) {
 void Session::replace_mesh(const fs::path& path) {
   modal_ = std::monostate{};
   end_stroke();
-  auto mesh = import_mesh(path);
+  auto mesh = files_.import(path);
   if (!mesh) {
     show_error("Cannot take up " + path.filename().string(), std::move(mesh.error()));
     return;
@@ -156,9 +151,8 @@ void Session::replace_mesh(const fs::path& path) {
 }
 
 void Session::remember_file(const fs::path& path) {
-  std::error_code error;
-  const fs::path whole = fs::absolute(path, error).lexically_normal();
-  if (!path.empty() && !error) {
+  if (!path.empty()) {
+    const fs::path whole = (files_.working_folder() / path).lexically_normal();
     remember_recent(recent_, whole.string());
     last_folder_ = whole.parent_path();
   }
@@ -167,7 +161,7 @@ void Session::remember_file(const fs::path& path) {
 void Session::save(const fs::path& path) {
   modal_ = std::monostate{};
   end_stroke();
-  if (auto saved = save_project(path, document_, camera_.goal()); !saved) {
+  if (auto saved = files_.save(path, document_, camera_.goal()); !saved) {
     held_back_.reset();
     goes_on_after_save_ = false;
     show_error("Cannot save " + path.filename().string(), std::move(saved.error()));
@@ -189,10 +183,9 @@ void Session::start_export(const fs::path& path) {
     toast(Kind::kNote, "Level 0 is the control mesh itself. Go forward by a level first.");
     return;
   }
-  std::error_code ignored;
-  last_folder_ = fs::absolute(path, ignored).parent_path();
+  last_folder_ = (files_.working_folder() / path).parent_path();
   export_path_ = path;
-  refinement_.follow(document_, {false, true});
+  refinement_.follow(document_, wish());
   if (!refinement_.is_up_to_date()) {
     toast(Kind::kNote,
           fmt::format("{} will be written as soon as it is refined.", path.filename().string()));
@@ -221,10 +214,9 @@ bool Session::report_export() {
 
 void Session::ask_for_path(Purpose purpose) {
   if (last_folder_.empty()) {
-    std::error_code ignored;
-    last_folder_ = fs::current_path(ignored);
+    last_folder_ = files_.working_folder();
   }
-  ui::PathPrompt prompt = list_folder(purpose, last_folder_);
+  ui::PathPrompt prompt = files_.list(purpose, last_folder_);
   if (const auto* before = std::get_if<ui::PathPrompt>(&modal_);
       before != nullptr && before->purpose == purpose) {
     prompt.serial = before->serial;
@@ -260,7 +252,8 @@ std::optional<fs::path> Session::take_screenshot_request() {
   return std::exchange(screenshot_path_, std::nullopt);
 }
 
-void Session::report_screenshot(const fs::path& path, const Result<void>& written) {
+void Session::write_screenshot(const fs::path& path, const render::Image& image) {
+  const Result<void> written = files_.write_picture(path, image);
   if (written) {
     toast(Kind::kDone, "Screenshot: " + path.string());
   } else {

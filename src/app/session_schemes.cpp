@@ -210,7 +210,8 @@ void Session::compare_with_sphere() {
 }
 
 int Session::second_levels() const noexcept {
-  return document_.stage.levels == kAllLevels ? document_.depths.deepest() : document_.stage.levels;
+  const int levels = shown_levels();
+  return levels == kAllLevels ? document_.depths.deepest() : levels;
 }
 
 void Session::follow_second() {
@@ -239,7 +240,7 @@ void Session::update_facts() {
   if (is_other_surface) {
     hover_.reset();
     hover_edge_.reset();
-    refinement_.follow(document_, {is_stroking(), export_path_.has_value()});
+    refinement_.follow(document_, wish());
   }
   // Nothing refined from another mesh may be shown from now on, in the second half neither: it may
   // have been closed when the mesh changed.

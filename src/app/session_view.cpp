@@ -55,6 +55,9 @@ bool Session::perform_display(const ui::Action& action) {
     case kToggleValences:
       set_or_flip(display_.valences, action);
       return true;
+    case kToggleLive:
+      set_or_flip(display_.live, action);
+      return true;
     case kThemeDark:
       display_.theme = ui::Theme::kDark;
       return true;
@@ -67,7 +70,7 @@ bool Session::perform_display(const ui::Action& action) {
 }
 
 bool Session::shows_refined() const noexcept {
-  return document_.stage.levels > 0 && display_.show != ui::ShowMode::kControl &&
+  return shown_levels() > 0 && display_.show != ui::ShowMode::kControl &&
          refinement_.refined() != nullptr;
 }
 

@@ -1,5 +1,4 @@
-// One thread a question. What it has found is handed over at its end, all at once; nothing is
-// written to `series_` while `fraction_` is empty, so the panels read it without copying.
+// One thread a question. What it has found is handed over at its end, all at once.
 #include "app/sphere_job.h"
 
 #include <chrono>
@@ -27,11 +26,8 @@ class SphereJob::JobProgress final : public Progress {
   [[nodiscard]] bool report(double fraction, std::string_view) override {
     if (const auto now = Clock::now(); now - woken_at_ >= kWakeInterval) {
       woken_at_ = now;
-      {
-        const std::lock_guard lock(job_.mutex_);
-        job_.fraction_ = (static_cast<double>(scheme_) + fraction) /
-                         static_cast<double>(job_.question_.schemes.size());
-      }
+      job_.fraction_ = (static_cast<double>(scheme_) + fraction) /
+                       static_cast<double>(job_.question_.schemes.size());
       job_.wake_();
     }
     return !stop_.stop_requested();
@@ -47,15 +43,17 @@ class SphereJob::JobProgress final : public Progress {
 void SphereJob::start(Question question) {
   cancel();
   question_ = std::move(question);
-  series_.clear();
-  problem_.clear();
+  answer_ = {};
   fraction_ = 0.0;
+  is_busy_ = true;
   worker_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
 void SphereJob::cancel() {
   worker_.request_stop();
   wait();
+  answers_.clear();
+  is_busy_ = false;
 }
 
 void SphereJob::wait() {
@@ -64,51 +62,48 @@ void SphereJob::wait() {
   }
 }
 
-bool SphereJob::is_busy() const {
-  const std::lock_guard lock(mutex_);
-  return fraction_.has_value();
+bool SphereJob::update() {
+  std::vector<Answer> answers = answers_.take();
+  if (answers.empty()) {
+    return false;
+  }
+  answer_ = std::move(answers.back());
+  is_busy_ = false;
+  return true;
 }
 
 ui::SphereStatus SphereJob::status(const Question& current) const {
-  const std::lock_guard lock(mutex_);
   ui::SphereStatus status;
   if (question_ != current) {
     return status;
   }
-  status.running = fraction_;
-  if (!fraction_) {
-    status.series = series_;
-    status.problem = problem_;
+  if (is_busy_) {
+    status.running = fraction_.load();
+  } else {
+    status.series = answer_.series;
+    status.problem = answer_.problem;
   }
   return status;
 }
 
 void SphereJob::work(const std::stop_token& stop) {
   JobProgress progress(*this, stop);
-  std::vector<ui::SphereSeries> found;
-  std::string problem;
+  Answer answer;
   try {
     for (std::size_t i = 0; i < question_.schemes.size(); ++i) {
       progress.begin(i);
       auto rows =
           compare_with_sphere(*question_.control, question_.schemes[i], question_.levels, progress);
       if (rows) {
-        found.push_back({question_.schemes[i], *std::move(rows)});
+        answer.series.push_back({question_.schemes[i], *std::move(rows)});
       } else if (rows.error().kind != ErrorKind::kCancelled) {
-        problem = std::move(rows.error().message);
+        answer.problem = std::move(rows.error().message);
       }
     }
   } catch (const std::bad_alloc&) {
-    problem = "There is not enough memory to compare so many levels.";
+    answer = {{}, "There is not enough memory to compare so many levels."};
   }
-  {
-    const std::lock_guard lock(mutex_);
-    fraction_.reset();
-    problem_ = std::move(problem);
-    if (!stop.stop_requested()) {
-      series_ = std::move(found);
-    }
-  }
+  answers_.put(std::move(answer));
   wake_();
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "app/mailbox.h"
 #include "limn/comparison/sphere_fit.h"
 #include "ui/model.h"
 
@@ -17,7 +18,9 @@ namespace limn::app {
 class SphereJob {
  public:
   /// `wake` is called from the worker whenever there is something new to look at.
-  explicit SphereJob(std::function<void()> wake) : wake_(std::move(wake)) {}
+  /// `arrivals` is that of its Mailbox, "sphere".
+  explicit SphereJob(std::function<void()> wake, Arrivals* arrivals = nullptr)
+      : wake_(std::move(wake)), answers_("sphere", arrivals) {}
   /// Gives up what runs and waits for it to notice.
   ~SphereJob() { cancel(); }
   SphereJob(const SphereJob&) = delete;
@@ -35,8 +38,11 @@ class SphereJob {
   void start(Question question);
   void cancel();
   void wait();
+  /// Takes in what was found; true where there was anything.
+  bool update();
 
-  [[nodiscard]] bool is_busy() const;
+  /// Whether an answer is on its way.
+  [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
   /// For the panels, where the question is still this one. Spans live until the next `start`.
   [[nodiscard]] ui::SphereStatus status(const Question& current) const;
 
@@ -44,12 +50,17 @@ class SphereJob {
   class JobProgress;
   void work(const std::stop_token& stop);
 
+  struct Answer {
+    std::vector<ui::SphereSeries> series;
+    std::string problem;
+  };
+
   std::function<void()> wake_;
+  Mailbox<Answer> answers_;
   Question question_;
-  mutable std::mutex mutex_;
-  std::optional<double> fraction_;  ///< While it runs.
-  std::vector<ui::SphereSeries> series_;
-  std::string problem_;
+  bool is_busy_ = false;
+  Answer answer_;  ///< The last one taken in.
+  std::atomic<double> fraction_ = 0.0;
   std::jthread worker_;
 };
 

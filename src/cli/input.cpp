@@ -87,8 +87,10 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
             }
           },
           "A rule SELECTION:CHANGE, any number of times, applied in order. SELECTION is all, "
-          "visible, dihedral>DEGREES or faces=0,3-9; CHANGE is +N, -N or =N. @FILE reads a rule "
-          "a line")
+          "visible, dihedral>DEGREES, faces=0,3-9, flood=FACE (its surroundings of equal depth), "
+          "smart=FACE,DEGREES (as far as the surface bends by so much in all) or connected=FACE; "
+          "CHANGE is +N, -N or =N. Or a word for the whole painting: grow, shrink, invert, smooth, "
+          "clear, mirror=AXES. @FILE reads a rule a line")
       ->type_name("RULE")
       ->expected(1)
       ->take_all();
@@ -196,7 +198,8 @@ Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFa
   }
   VisibleFaces visible;
   for (const PaintRule& rule : options.rules) {
-    if (std::holds_alternative<SelectVisible>(rule.selection) && !visible) {
+    const auto* change = std::get_if<ChangeFaces>(&rule);
+    if (change != nullptr && std::holds_alternative<SelectVisible>(change->selection) && !visible) {
       visible = make_visible(*project);
     }
     if (auto painted = apply_paint_rule(*document.control, rule, visible, document.depths);

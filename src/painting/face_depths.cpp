@@ -5,8 +5,12 @@
 namespace limn {
 
 int FaceDepths::deepest() const noexcept {
-  const auto found = std::max_element(values_.begin(), values_.end());
-  return found == values_.end() ? 0 : *found;
+  // Not std::max_element: without a place to remember, the compiler takes many at a time.
+  std::uint8_t deepest = 0;
+  for (const std::uint8_t depth : values_) {
+    deepest = std::max(deepest, depth);
+  }
+  return deepest;
 }
 
 std::array<std::size_t, kMaxDepth + 1> FaceDepths::histogram() const noexcept {

@@ -1,15 +1,16 @@
-// A hand-written parser over string_view: split at the colon, then at the sign that each selection
-// has. Numbers go through std::from_chars, so no locale can change what a rule means.
+// Words of the whole painting first; everything else is split at the colon.
 #include "limn/painting/paint_rule.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "limn/contract.h"
 #include "painting/rule_text.h"
+#include "painting/selection_text.h"
 
 namespace limn {
 namespace {
@@ -18,125 +19,43 @@ using rule_text::misread;
 using rule_text::quoted;
 using rule_text::trimmed;
 
-constexpr std::string_view kSelections =
-    "\"all\", \"visible\", \"dihedral>DEGREES\" or \"faces=LIST\"";
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+struct FilterWord {
+  DepthFilter filter;
+  std::string_view word;
+};
+constexpr std::array<FilterWord, 5> kFilterWords{{{DepthFilter::kGrow, "grow"},
+                                                  {DepthFilter::kShrink, "shrink"},
+                                                  {DepthFilter::kInvert, "invert"},
+                                                  {DepthFilter::kSmooth, "smooth"},
+                                                  {DepthFilter::kClear, "clear"}}};
 
-/// Digits alone, no sign. nullopt where the text is anything else, or too big for the type.
-template <class Integer>
-std::optional<Integer> whole_number(std::string_view text) {
-  Integer value = 0;
-  if (text.empty() || !is_digit(text.front())) {
-    return std::nullopt;
-  }
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) {
-    return std::nullopt;
-  }
-  return value;
-}
+constexpr std::string_view kForms =
+    "write SELECTION:CHANGE, as in \"all:+1\", or \"grow\", \"shrink\", \"invert\", \"smooth\", "
+    "\"clear\" or \"mirror=AXES\"";
 
-Result<std::uint32_t> face_number(std::string_view text, std::string_view part) {
-  if (const auto number = whole_number<std::uint32_t>(text)) {
-    return *number;
-  }
-  if (!text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos) {
-    return misread(fmt::format("The face number {} is too large.", quoted(text)));
-  }
-  return misread(
-      fmt::format("{} in the list of faces is not understood; write face numbers and ranges from 0 "
-                  "on, as in \"faces=0,3-9\".",
-                  quoted(part)));
-}
-
-Result<SelectFaces::Range> face_range(std::string_view part) {
-  const std::size_t dash = part.find('-');
-  const Result<std::uint32_t> first = face_number(trimmed(part.substr(0, dash)), part);
-  if (!first) {
-    return tl::unexpected(first.error());
-  }
-  if (dash == std::string_view::npos) {
-    return SelectFaces::Range{*first, *first};
-  }
-  const Result<std::uint32_t> last = face_number(trimmed(part.substr(dash + 1)), part);
-  if (!last) {
-    return tl::unexpected(last.error());
-  }
-  if (*last < *first) {
-    return misread(fmt::format("The face range {} runs backwards; write \"{}-{}\".", quoted(part),
-                               *last, *first));
-  }
-  return SelectFaces::Range{*first, *last};
-}
-
-Result<Selection> face_list(std::string_view list) {
-  if (list.empty()) {
-    return misread("\"faces=\" names no face; write numbers and ranges, as in \"faces=0,3-9\".");
-  }
-  SelectFaces selection;
-  while (true) {
-    const std::size_t comma = list.find(',');
-    const std::string_view part = trimmed(list.substr(0, comma));
-    if (part.empty()) {
-      return misread(
-          "A face number is missing beside a comma; write numbers and ranges, as in "
-          "\"faces=0,3-9\".");
+/// What follows "mirror", its sign included.
+Result<PaintRule> parse_mirror(std::string_view text) {
+  MirrorAxes axes;
+  const bool has_sign = !text.empty() && text.front() == '=';
+  const std::string_view letters = has_sign ? trimmed(text.substr(1)) : std::string_view{};
+  bool is_understood = !letters.empty();
+  for (const char letter : letters) {
+    bool* axis = letter == 'x'   ? &axes.x
+                 : letter == 'y' ? &axes.y
+                 : letter == 'z' ? &axes.z
+                                 : nullptr;
+    is_understood = is_understood && axis != nullptr && !*axis;
+    if (axis != nullptr) {
+      *axis = true;
     }
-    const Result<SelectFaces::Range> range = face_range(part);
-    if (!range) {
-      return tl::unexpected(range.error());
-    }
-    selection.ranges.push_back(*range);
-    if (comma == std::string_view::npos) {
-      return Selection(std::move(selection));
-    }
-    list.remove_prefix(comma + 1);
   }
-}
-
-Result<Selection> dihedral_threshold(std::string_view text) {
-  const std::optional<double> degrees = rule_text::read_degrees(text);
-  if (!degrees) {
+  if (!is_understood) {
     return misread(
-        fmt::format("{} after \"dihedral>\" is not an angle; write degrees from 0 to 180, as in "
-                    "\"dihedral>30\".",
+        fmt::format("{} after \"mirror\" does not name axes; write each once, as in "
+                    "\"mirror=x\" or \"mirror=xz\".",
                     text.empty() ? "Nothing" : quoted(text)));
   }
-  return Selection(SelectDihedral{*degrees});
-}
-
-Result<Selection> parse_selection(std::string_view text) {
-  if (text == "all") {
-    return Selection(SelectAll{});
-  }
-  if (text == "visible") {
-    return Selection(SelectVisible{});
-  }
-  const std::size_t sign = text.find_first_of(">=");
-  const std::string_view word = trimmed(text.substr(0, sign));
-  const char found = sign == std::string_view::npos ? '\0' : text[sign];
-  const std::string_view rest =
-      sign == std::string_view::npos ? std::string_view{} : trimmed(text.substr(sign + 1));
-  if (word == "dihedral") {
-    if (found != '>') {
-      return misread("\"dihedral\" needs a threshold in degrees, as in \"dihedral>30\".");
-    }
-    return dihedral_threshold(rest);
-  }
-  if (word == "faces") {
-    if (found != '=') {
-      return misread("\"faces\" needs a list of face numbers, as in \"faces=0,3-9\".");
-    }
-    return face_list(rest);
-  }
-  if (text.empty()) {
-    return misread(
-        fmt::format("Nothing before the colon says which faces to paint; write {}.", kSelections));
-  }
-  return misread(
-      fmt::format("{} does not say which faces to paint; write {}.", quoted(text), kSelections));
+  return PaintRule(MirrorPainting{axes});
 }
 
 Result<DepthChange> parse_change(std::string_view text) {
@@ -146,28 +65,60 @@ Result<DepthChange> parse_change(std::string_view text) {
     return misread(fmt::format("Nothing after the colon says how to paint; write {}.", changes));
   }
   const char sign = text.front();
-  const std::optional<int> number = whole_number<int>(trimmed(text.substr(1)));
-  if ((sign != '+' && sign != '-' && sign != '=') || !number || *number > kMaxDepth) {
+  const std::optional<std::uint32_t> number = rule_text::read_whole_number(trimmed(text.substr(1)));
+  if ((sign != '+' && sign != '-' && sign != '=') || !number ||
+      *number > std::uint32_t{kMaxDepth}) {
     return misread(fmt::format("{} does not say how to paint; write {}.", quoted(text), changes));
   }
-  return sign == '=' ? DepthChange::set(*number)
-                     : DepthChange::add(sign == '+' ? *number : -*number);
+  const int amount = static_cast<int>(*number);
+  return sign == '=' ? DepthChange::set(amount) : DepthChange::add(sign == '+' ? amount : -amount);
 }
 
-struct SelectionText {
-  std::string operator()(const SelectAll&) const { return "all"; }
-  std::string operator()(const SelectVisible&) const { return "visible"; }
-  std::string operator()(const SelectDihedral& dihedral) const {
-    return fmt::format("dihedral>{}", dihedral.degrees);
+struct PaintRuleText {
+  std::string operator()(const ChangeFaces& rule) const {
+    const DepthChange& change = rule.change;
+    return rule_text::to_text(rule.selection) + (change.kind == DepthChange::Kind::kSet
+                                                     ? fmt::format(":={}", change.amount)
+                                                     : fmt::format(":{:+}", change.amount));
   }
-  std::string operator()(const SelectFaces& faces) const {
-    std::string text = "faces=";
-    for (std::size_t i = 0; i < faces.ranges.size(); ++i) {
-      const auto [first, last] = faces.ranges[i];
-      text += i == 0 ? "" : ",";
-      text += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+  std::string operator()(DepthFilter filter) const {
+    return std::string(kFilterWords[static_cast<std::size_t>(filter)].word);
+  }
+  std::string operator()(const MirrorPainting& mirror) const {
+    return "mirror=" + to_string(mirror.axes);
+  }
+};
+
+/// What is different in `after`.
+std::vector<DepthEdit> edits_between(const FaceDepths& before, const FaceDepths& after) {
+  std::vector<DepthEdit> edits;
+  for (std::uint32_t f = 0; f < before.size(); ++f) {
+    if (before[f] != after[f]) {
+      edits.push_back({f, before.values()[f], after.values()[f]});
     }
-    return text;
+  }
+  return edits;
+}
+
+struct Plan {
+  using Edits = Result<std::vector<DepthEdit>>;
+
+  const ControlMesh& mesh;
+  const VisibleFaces& visible;
+  const FaceDepths& depths;
+
+  Edits operator()(const ChangeFaces& rule) const {
+    const auto faces = select_faces(mesh, depths, rule.selection, visible);
+    if (!faces) {
+      return tl::unexpected(faces.error());
+    }
+    return plan_edits(depths, *faces, rule.change);
+  }
+  Edits operator()(DepthFilter filter) const {
+    return edits_between(depths, filter_depths(mesh, depths, filter));
+  }
+  Edits operator()(const MirrorPainting& mirror) const {
+    return edits_between(depths, mirror_depths(FaceMirror(mesh, mirror.axes), depths));
   }
 };
 
@@ -176,14 +127,21 @@ struct SelectionText {
 Result<PaintRule> parse_paint_rule(std::string_view text) {
   const std::string_view rule = trimmed(text);
   if (rule.empty()) {
-    return misread("The paint rule is empty; write SELECTION:CHANGE, as in \"all:+1\".");
+    return misread(fmt::format("The paint rule is empty; {}.", kForms));
+  }
+  for (const auto& [filter, word] : kFilterWords) {
+    if (rule == word) {
+      return PaintRule(filter);
+    }
   }
   const std::size_t colon = rule.find(':');
   if (colon == std::string_view::npos) {
-    return misread(fmt::format(
-        "The paint rule {} has no colon; write SELECTION:CHANGE, as in \"all:+1\".", quoted(rule)));
+    if (constexpr std::string_view kMirror = "mirror"; rule.starts_with(kMirror)) {
+      return parse_mirror(trimmed(rule.substr(kMirror.size())));
+    }
+    return misread(fmt::format("The paint rule {} has no colon; {}.", quoted(rule), kForms));
   }
-  Result<Selection> selection = parse_selection(trimmed(rule.substr(0, colon)));
+  Result<Selection> selection = rule_text::parse_selection(trimmed(rule.substr(0, colon)));
   if (!selection) {
     return tl::unexpected(std::move(selection.error()));
   }
@@ -191,7 +149,7 @@ Result<PaintRule> parse_paint_rule(std::string_view text) {
   if (!change) {
     return tl::unexpected(change.error());
   }
-  return PaintRule{std::move(*selection), *change};
+  return PaintRule(ChangeFaces{std::move(*selection), *change});
 }
 
 Result<std::vector<PaintRule>> parse_paint_rules(std::string_view text, const std::string& source) {
@@ -217,20 +175,23 @@ Result<std::vector<PaintRule>> parse_paint_rules(std::string_view text, const st
 }
 
 std::string to_string(const PaintRule& rule) {
-  const DepthChange& change = rule.change;
-  return std::visit(SelectionText{}, rule.selection) + (change.kind == DepthChange::Kind::kSet
-                                                            ? fmt::format(":={}", change.amount)
-                                                            : fmt::format(":{:+}", change.amount));
+  return std::visit(PaintRuleText{}, rule);
+}
+
+Result<std::vector<DepthEdit>> plan_paint_rule(const ControlMesh& mesh, const PaintRule& rule,
+                                               const VisibleFaces& visible,
+                                               const FaceDepths& depths) {
+  LIMN_EXPECTS(depths.size() == mesh.face_count());
+  return std::visit(Plan{mesh, visible, depths}, rule);
 }
 
 Result<void> apply_paint_rule(const ControlMesh& mesh, const PaintRule& rule,
                               const VisibleFaces& visible, FaceDepths& depths) {
-  LIMN_EXPECTS(depths.size() == mesh.face_count());
-  const Result<std::vector<std::uint32_t>> faces = select_faces(mesh, rule.selection, visible);
-  if (!faces) {
-    return tl::unexpected(faces.error());
+  const Result<std::vector<DepthEdit>> edits = plan_paint_rule(mesh, rule, visible, depths);
+  if (!edits) {
+    return tl::unexpected(edits.error());
   }
-  apply_edits(depths, plan_edits(depths, *faces, rule.change));
+  apply_edits(depths, *edits);
   return {};
 }
 

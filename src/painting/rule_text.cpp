@@ -37,15 +37,27 @@ tl::unexpected<Error> misread(std::string message) {
   return fail(ErrorKind::kUsage, std::move(message));
 }
 
-std::optional<double> read_degrees(std::string_view text) {
+std::optional<double> read_degrees(std::string_view text, double most) {
   double degrees = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), degrees);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
   // from_chars also reads "nan" and "inf"; the comparison turns both away.
-  if (!is_number || !(degrees >= 0.0 && degrees <= 180.0)) {
+  if (!is_number || !(degrees >= 0.0 && degrees <= most)) {
     return std::nullopt;
   }
   return std::abs(degrees);  // "-0" is 0.
+}
+
+std::optional<std::uint32_t> read_whole_number(std::string_view text) {
+  std::uint32_t value = 0;
+  if (text.empty() || text.front() < '0' || text.front() > '9') {
+    return std::nullopt;
+  }
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    return std::nullopt;
+  }
+  return value;
 }
 
 }  // namespace limn::rule_text

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +19,10 @@ namespace limn::rule_text {
 /// kUsage.
 [[nodiscard]] tl::unexpected<Error> misread(std::string message);
 
-/// A whole text as an angle from 0 to 180 degrees; nothing where it is none.
-[[nodiscard]] std::optional<double> read_degrees(std::string_view text);
+/// A whole text as an angle from 0 to `most` degrees; nothing where it is none.
+[[nodiscard]] std::optional<double> read_degrees(std::string_view text, double most = 180.0);
+
+/// A whole text of digits alone, no sign; nothing where it is anything else, or too big.
+[[nodiscard]] std::optional<std::uint32_t> read_whole_number(std::string_view text);
 
 }  // namespace limn::rule_text

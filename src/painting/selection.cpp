@@ -6,9 +6,14 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
+#include <variant>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+
+#include "limn/contract.h"
+#include "limn/painting/face_regions.h"
 
 namespace limn {
 namespace {
@@ -61,13 +66,16 @@ std::vector<std::uint32_t> select_sharper_than(const ControlMesh& mesh, double d
   return faces;
 }
 
+std::string no_such_face(const ControlMesh& mesh, std::uint32_t face) {
+  return fmt::format("There is no face {}: the mesh has {} faces, numbered 0 to {}.", face,
+                     mesh.face_count(), mesh.face_count() - 1);
+}
+
 Result<std::vector<std::uint32_t>> select_ranges(const ControlMesh& mesh,
                                                  const SelectFaces& selection) {
   for (const SelectFaces::Range& range : selection.ranges) {
     if (range.last >= mesh.face_count()) {
-      return fail(ErrorKind::kUsage,
-                  fmt::format("There is no face {}: the mesh has {} faces, numbered 0 to {}.",
-                              range.last, mesh.face_count(), mesh.face_count() - 1));
+      return fail(ErrorKind::kUsage, no_such_face(mesh, range.last));
     }
     if (range.first > range.last) {
       return fail(ErrorKind::kUsage,
@@ -88,6 +96,48 @@ Result<std::vector<std::uint32_t>> select_ranges(const ControlMesh& mesh,
   }
   return faces;
 }
+
+/// Carries out each kind of selection.
+struct Select {
+  using Faces = Result<std::vector<std::uint32_t>>;
+
+  const ControlMesh& mesh;
+  const FaceDepths& depths;
+  const VisibleFaces& visible;
+
+  Faces operator()(const SelectAll&) const { return select_all(mesh); }
+  Faces operator()(const SelectVisible&) const {
+    if (!visible) {
+      return fail(ErrorKind::kUsage,
+                  "\"visible\" needs a camera to see from, and here is none; choose faces by "
+                  "\"all\", \"dihedral>DEGREES\" or \"faces=LIST\".");
+    }
+    return visible();
+  }
+  Faces operator()(const SelectDihedral& dihedral) const {
+    return select_sharper_than(mesh, dihedral.degrees);
+  }
+  Faces operator()(const SelectFaces& faces) const { return select_ranges(mesh, faces); }
+  Faces operator()(const SelectFlood& flood) const {
+    return from_seed(flood.seed, [&] { return flood_region(mesh, depths.values(), flood.seed); });
+  }
+  Faces operator()(const SelectSmart& smart) const {
+    return from_seed(smart.seed, [&] {
+      return smart_region(mesh, edge_dihedral_angles(mesh), smart.seed, smart.degrees);
+    });
+  }
+  Faces operator()(const SelectConnected& connected) const {
+    return from_seed(connected.seed, [&] { return connected_region(mesh, connected.seed); });
+  }
+
+  template <class Region>
+  [[nodiscard]] Faces from_seed(std::uint32_t seed, Region&& region) const {
+    if (seed >= mesh.face_count()) {
+      return fail(ErrorKind::kUsage, no_such_face(mesh, seed));
+    }
+    return region();
+  }
+};
 
 }  // namespace
 
@@ -119,23 +169,11 @@ std::vector<double> face_dihedral_angles(const ControlMesh& mesh) {
   return angles;
 }
 
-Result<std::vector<std::uint32_t>> select_faces(const ControlMesh& mesh, const Selection& selection,
+Result<std::vector<std::uint32_t>> select_faces(const ControlMesh& mesh, const FaceDepths& depths,
+                                                const Selection& selection,
                                                 const VisibleFaces& visible) {
-  if (std::holds_alternative<SelectAll>(selection)) {
-    return select_all(mesh);
-  }
-  if (const auto* dihedral = std::get_if<SelectDihedral>(&selection)) {
-    return select_sharper_than(mesh, dihedral->degrees);
-  }
-  if (const auto* faces = std::get_if<SelectFaces>(&selection)) {
-    return select_ranges(mesh, *faces);
-  }
-  if (!visible) {
-    return fail(ErrorKind::kUsage,
-                "\"visible\" needs a camera to see from, and here is none; choose faces by "
-                "\"all\", \"dihedral>DEGREES\" or \"faces=LIST\".");
-  }
-  return visible();
+  LIMN_EXPECTS(depths.size() == mesh.face_count());
+  return std::visit(Select{mesh, depths, visible}, selection);
 }
 
 }  // namespace limn

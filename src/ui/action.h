@@ -63,6 +63,7 @@ enum class ActionId : std::uint8_t {
   kSubdivide,          ///< To the end.
   kSubdivideOneLevel,  ///< One level more than is shown now.
   kBackToControl,      ///< Stage 0: nothing subdivided, labels as painted.
+  kToggleLive,         ///< At stage 0 the refined mesh follows the painting.
   kApply,              ///< The refined mesh becomes the control mesh.
   kAdaptiveCatmullClark,
   kAdaptiveLoop,        ///< With Loop's weights.

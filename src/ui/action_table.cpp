@@ -93,6 +93,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Show one level of the subdivision more."},
     {kBackToControl, kRefine, kNothing, "Back to control mesh",
      "Show the mesh before any subdivision. The painting stays."},
+    {kToggleLive, kRefine, ValueKind::kToggle, "Follow the painting",
+     "Refine anew after every stroke, so that the refined mesh is always that of the painting. "
+     "Without it you subdivide step by step."},
     {kApply, kRefine, kNothing, "Apply as control mesh",
      "Make the refined mesh the new control mesh, unpainted. From then on it is a mesh of its own "
      "with another limit surface. Can be undone."},

@@ -37,9 +37,9 @@ bool is_available(const Model& model, const Action& action) {
       return document.stage != Stage{};
     case ActionId::kRemoveIllegal:
       return !document.stage.is_legalised;
-    case ActionId::kExportRefined:
     case ActionId::kApply:
-      return model.refinement.result.has_value() && !model.refinement.running;
+      return model.refinement.result && model.refinement.result->levels > 0 &&
+             !model.refinement.running;
     case ActionId::kAdaptiveLoop:
     case ActionId::kAdaptiveLoopWarren:
       return model.statistics.faces_by_sides.size() == 1 &&
@@ -167,6 +167,8 @@ bool is_checked(const Model& model, const Action& action) {
       return display.faces;
     case ActionId::kToggleValences:
       return display.valences;
+    case ActionId::kToggleLive:
+      return display.live;
     case ActionId::kThemeDark:
       return display.theme == Theme::kDark;
     case ActionId::kThemeLight:

@@ -119,6 +119,7 @@ std::vector<Binding> shared_bindings() {
       {{Key::kRightBracket, kPlain}, kBrushBigger},
 
       {{Key::kC, kShift}, kBackToControl},
+      {{Key::kL, kShift}, kToggleLive},
       {{Key::kEnter, kCtrl}, kApply},
       {{Key::kF2, kPlain}, kShowControl},
       {{Key::kF3, kPlain}, kShowRefined},

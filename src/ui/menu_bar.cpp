@@ -101,7 +101,7 @@ void mesh_menu(PanelContext& context) {
   if (!begin_menu(context, "Mesh")) {
     return;
   }
-  items(context, {kSubdivide, kSubdivideOneLevel, kBackToControl, kRemoveIllegal});
+  items(context, {kToggleLive, kSubdivide, kSubdivideOneLevel, kBackToControl, kRemoveIllegal});
   ImGui::Separator();
   if (begin_menu(context, "Painted faces")) {
     items(context, {kAdaptiveCatmullClark, kAdaptiveLoop, kAdaptiveLoopWarren});

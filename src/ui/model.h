@@ -53,6 +53,9 @@ struct DisplaySettings {
   bool creases = true;         ///< Sharp edges and vertices, coloured by sharpness.
   bool faces = true;           ///< Otherwise the edges alone, as far as there is a wireframe.
   bool valences = false;       ///< Irregular vertices as dots with their valence.
+  /// Where no stage of the subdivision is asked for, the refined mesh is that of the painting to the
+  /// end.
+  bool live = true;
   std::optional<SchemeSettings> second{};  ///< A uniform scheme beside what the document shows.
 
   [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
@@ -111,7 +114,7 @@ struct LegalityStatus {
 struct RefinementStatus {
   std::optional<RunningRefinement> running;
   const RefinementPrediction* prediction = nullptr;  ///< To the end, for the painting as it is.
-  std::optional<RefinementResult> result;            ///< Empty at stage 0.
+  std::optional<RefinementResult> result;            ///< Empty where nothing is refined.
   std::optional<LegalityStatus> legality;
 };
 

@@ -35,19 +35,20 @@ std::string where(const PanelContext& context, const Mend& mend) {
          place_of(context.model.document.import_report, mend, mend.elements[element]);
 }
 
+/// The way onwards stays in its place, so that whoever presses it again goes on.
 void way_to_elements(PanelContext& context, const Mend& mend) {
   const auto kind = static_cast<int>(mend.kind);
   const std::string name(name_of(mend.kind));
   const bool has_ends = is_shown(context, mend) && mend.elements.size() > 1;
-  if (has_ends) {
-    action_button(context, Action(ActionId::kPreviousMend, kind),
-                  {.label = "Previous", .width = context.px(80)});
-    remember(context, "previous of " + name);
-    ImGui::SameLine();
-  }
   action_button(context, Action(ActionId::kNextMend, kind),
-                {.label = has_ends ? "Next" : "Show", .width = context.px(80)});
+                {.label = has_ends ? "Next" : "Show", .width = context.px(56)});
   remember(context, "next of " + name);
+  if (has_ends) {
+    ImGui::SameLine();
+    action_button(context, Action(ActionId::kPreviousMend, kind),
+                  {.label = "Back", .width = context.px(56)});
+    remember(context, "previous of " + name);
+  }
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);

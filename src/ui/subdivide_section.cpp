@@ -86,6 +86,7 @@ void draw_subdivide_section(PanelContext& context) {
   } else {
     steps(context);
   }
+  action_toggle(context, kToggleLive, room());
 
   sub_heading(context, "Painted faces by");
   action_choice(context,

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string_view>
 #include <utility>
 
-#include "app/imgui_renderer.h"
+#include "app/offscreen.h"
 #include "app/session.h"
 #include "app/viewport_scene.h"
-#include "render/context/gl_context.h"
 #include "render/image.h"
 #include "ui/gui.h"
 
@@ -17,41 +15,42 @@ namespace limn::app {
 /// The program without a window: panels and viewport are drawn into a picture.
 class Desk {
  public:
-  explicit Desk(ui::WindowSize size, ui::FontFiles fonts = {});
-  ~Desk();
+  /// `scale` is that of the monitor: at 2 the window has twice the units each way.
+  explicit Desk(ui::WindowSize size, ui::FontFiles fonts = {}, double scale = 1.0);
 
   /// As when the graphics driver was reset: another context, and everything in it anew.
-  void lose_graphics();
-  [[nodiscard]] ViewportScene& scene() noexcept { return *scene_; }
-  [[nodiscard]] Session& session() noexcept { return session_; }
-  [[nodiscard]] ui::Gui& gui() noexcept { return gui_; }
-  /// Where the cursor rests while the picture is drawn.
+  void lose_graphics() { offscreen_.lose_graphics(); }
+  [[nodiscard]] ViewportScene& scene() noexcept { return offscreen_.workbench().scene(); }
+  [[nodiscard]] Session& session() noexcept { return offscreen_.workbench().session(); }
+  [[nodiscard]] ui::Gui& gui() noexcept { return offscreen_.workbench().gui(); }
+  [[nodiscard]] Offscreen& offscreen() noexcept { return offscreen_; }
+
+  /// Where the cursor rests while the picture is drawn: in the middle of this control.
   void point_at(std::string_view item);
+  void point_at(ui::WindowPoint point);
+  /// One press and release of the left button where the cursor is.
+  void click();
 
   /// Changes what the panels are told, so that nothing in a picture depends on the machine.
-  void adjust_model(std::function<void(ui::Model&)> adjust) { adjust_ = std::move(adjust); }
+  void adjust_model(std::function<void(ui::Model&)> adjust) {
+    offscreen_.workbench().adjust_model(std::move(adjust));
+  }
 
   /// Lets everything finish, then draws it all.
   [[nodiscard]] render::Image picture();
-  /// One frame of a window of this size: panels and viewport as they are, whatever still runs.
-  void draw_frame(render::FramebufferSize size);
+  /// One frame as things are, whatever still runs.
+  void draw_frame();
   /// The parts of the last picture: viewport, and side panel.
   [[nodiscard]] render::Image viewport_of(const render::Image& picture) const;
   [[nodiscard]] render::Image panel_of(const render::Image& picture) const;
 
  private:
-  [[nodiscard]] ui::GuiFrame frame();
+  void push(decltype(ui::InputEvent::what) what);
+  [[nodiscard]] ui::WindowRect viewport() const;
 
-  std::unique_ptr<render::GlContext> context_;
-  ui::WindowSize size_;
-  ui::Gui gui_;
   ui::InputQueue queue_;
   double time_ = 0.0;
-  std::function<void(ui::Model&)> adjust_;
-  ui::WindowRect viewport_;  ///< Of the last picture.
-  std::unique_ptr<ImguiRenderer> imgui_renderer_;
-  std::unique_ptr<ViewportScene> scene_;
-  Session session_;
+  Offscreen offscreen_;
 };
 
 }  // namespace limn::app

@@ -33,6 +33,7 @@ bool is_out_of_memory = false;
 
 TEST(LostGraphics, WhatTheCardDoesNotHoldGivesWayToTheControlMesh) {
   Desk desk({640.0, 480.0});
+  desk.session().perform({kToggleLive, false});
   desk.session().perform({kOpenBundled, std::string("cube")});
   desk.session().perform(kRaiseAll);
   static_cast<void>(desk.picture());

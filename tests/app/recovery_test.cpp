@@ -98,6 +98,7 @@ TEST_F(RecoveryTest, ACopyIsMadeAfterEveryRefinementAndThreeAreKept) {
 }
 
 TEST_F(RecoveryTest, WithoutARefinementACopyIsMadeAfterAMinuteOfChanges) {
+  session_.perform({kToggleLive, false});
   pass(session_, 5.0);
   stroke(session_, 3);
   pass(session_, 1.0);

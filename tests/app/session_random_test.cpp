@@ -125,7 +125,7 @@ void expect_sound(const Session& session) {
 TEST(Session, WhateverIsPressedEveryFrameCanBeDrawn) {
   constexpr int kSteps = 400;
   RandomHand hand(9);
-  Desk desk({700, 500});
+  Desk desk({560, 400});
   Session& session = desk.session();
   session.set_face_budget(4000);
   double now = 0.0;
@@ -137,17 +137,17 @@ TEST(Session, WhateverIsPressedEveryFrameCanBeDrawn) {
     session.perform(action);
     answer(session);
     expect_sound(session);
-    desk.draw_frame({96, 64});
+    desk.draw_frame();
     if (hand.below(2) == 0) {
       session.update(now += 0.05);
       answer(session);
-      desk.draw_frame({96, 64});
+      desk.draw_frame();
     }
     if (hand.below(8) == 0) {
       session.finish_refinement();
       answer(session);
       expect_sound(session);
-      desk.draw_frame({128, 64});
+      desk.draw_frame();
     }
   }
 }

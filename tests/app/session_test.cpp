@@ -188,6 +188,7 @@ TEST_F(SessionTest, VisibleWithoutAScreenChangesNothing) {
 }
 
 TEST_F(SessionTest, SubdividingRefinesAndKeepsThePainting) {
+  session_.perform({kToggleLive, false});
   stroke({0}, DepthChange::set(3));
   session_.perform(kSubdivide);
   session_.finish_refinement();
@@ -212,7 +213,42 @@ TEST_F(SessionTest, SubdividingRefinesAndKeepsThePainting) {
   EXPECT_FALSE(session_.shows_refined());
 }
 
+TEST_F(SessionTest, TheRefinedMeshFollowsThePaintingFromTheStart) {
+  session_.finish_refinement();
+  EXPECT_FALSE(session_.shows_refined()) << "nothing is painted yet";
+  stroke({0}, DepthChange::set(3));
+  session_.finish_refinement();
+  EXPECT_TRUE(session_.shows_refined());
+  EXPECT_EQ(session_.refinement().refined()->mesh->face_count(), 228u);
+  EXPECT_EQ(session_.document().stage, Stage{}) << "no stage of it was asked for";
+  session_.perform(kUndo);
+  session_.finish_refinement();
+  EXPECT_FALSE(session_.shows_refined());
+  session_.perform(kRedo);
+
+  session_.perform(kSubdivideOneLevel);
+  session_.finish_refinement();
+  EXPECT_LT(session_.refinement().refined()->mesh->face_count(), 228u)
+      << "whoever asks for a level sees that level";
+  session_.perform(kBackToControl);
+  session_.finish_refinement();
+  EXPECT_EQ(session_.refinement().refined()->mesh->face_count(), 228u);
+  session_.perform({kToggleLive, false});
+  session_.finish_refinement();
+  EXPECT_FALSE(session_.shows_refined());
+}
+
+TEST_F(SessionTest, ApplyTakesTheMeshThatFollowsThePainting) {
+  stroke({0}, DepthChange::set(3));
+  session_.finish_refinement();
+  session_.perform(kApply);
+  EXPECT_EQ(session_.document().control->face_count(), 228u);
+  session_.perform(kUndo);
+  EXPECT_EQ(session_.document().control->face_count(), 6u);
+}
+
 TEST_F(SessionTest, OneLevelAtATime) {
+  session_.perform({kToggleLive, false});
   stroke({0}, DepthChange::set(3));
   session_.perform(kSubdivideOneLevel);
   session_.finish_refinement();
@@ -368,7 +404,7 @@ TEST_F(SessionTest, TheExportPromptSaysWhatIsLost) {
   ASSERT_NE(prompt, nullptr);
   EXPECT_EQ(prompt->losses[static_cast<std::size_t>(MeshFormat::kObj)], "");
   EXPECT_EQ(prompt->losses[static_cast<std::size_t>(MeshFormat::kOff)],
-            "OFF files do not hold: the painted depths.");
+            "OFF files do not hold: the painted depths and normals of the limit surface.");
 }
 
 TEST_F(SessionTest, OverTheBudgetItAsksAndObeys) {

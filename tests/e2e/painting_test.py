@@ -176,6 +176,7 @@ def main():
             assert state["title"] == f"{os.path.basename(mesh)} - Limn", state["title"]
             assert state["depths"] == [0] * len(faces)
 
+            program.key("F2")  # What is painted on is what is known here: the control mesh.
             paint_and_lower(program, FaceImage(positions, faces, state))
             orbit(program, FaceImage(positions, faces, state))
             raise_visible(program, positions, faces)
@@ -184,8 +185,8 @@ def main():
 
             program.click(*program.item("Subdivide"))
             state = program.wait_for("it is subdivided",
-                                     lambda s: s["refined"] is not None and not s["busy"])
-            assert state["stage"]["levels"] > 0 and state["undo"] == "subdivide"
+                                     lambda s: s["undo"] == "subdivide" and not s["busy"])
+            assert state["stage"]["levels"] > 0
             assert state["refined"]["watertight"]
             # Euler: a closed mesh of quads without handles has two vertices more than faces.
             assert state["refined"]["vertices"] == state["refined"]["faces"] + 2

@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 PaintRule rule(Selection selection, DepthChange change) {
-  return {std::move(selection), change};
+  return ChangeFaces{std::move(selection), change};
 }
 
 std::string complaint(std::string_view text) {
@@ -41,13 +41,37 @@ TEST(ParsePaintRule, ReadsEverySelection) {
             rule(SelectFaces{{{0, 0}, {3, 9}}}, DepthChange::set(4)));
 }
 
+TEST(ParsePaintRule, ReadsRegionsThatGrowFromAFace) {
+  EXPECT_EQ(parse_paint_rule("flood=12:=3").value(), rule(SelectFlood{12}, DepthChange::set(3)));
+  EXPECT_EQ(parse_paint_rule("smart = 12 , 40.5 : +1").value(),
+            rule(SelectSmart{12, 40.5}, DepthChange::add(1)));
+  EXPECT_EQ(parse_paint_rule("smart=0,360:+1").value(),
+            rule(SelectSmart{0, 360.0}, DepthChange::add(1)));
+  EXPECT_EQ(parse_paint_rule("connected=7:-2").value(),
+            rule(SelectConnected{7}, DepthChange::add(-2)));
+}
+
+TEST(ParsePaintRule, ReadsWhatIsDoneToTheWholePainting) {
+  EXPECT_EQ(parse_paint_rule(" grow ").value(), PaintRule(DepthFilter::kGrow));
+  EXPECT_EQ(parse_paint_rule("shrink").value(), PaintRule(DepthFilter::kShrink));
+  EXPECT_EQ(parse_paint_rule("invert").value(), PaintRule(DepthFilter::kInvert));
+  EXPECT_EQ(parse_paint_rule("smooth").value(), PaintRule(DepthFilter::kSmooth));
+  EXPECT_EQ(parse_paint_rule("clear").value(), PaintRule(DepthFilter::kClear));
+  EXPECT_EQ(parse_paint_rule("mirror=x").value(), PaintRule(MirrorPainting{{.x = true}}));
+  EXPECT_EQ(parse_paint_rule("mirror = zx").value(),
+            PaintRule(MirrorPainting{{.x = true, .z = true}}));
+  EXPECT_EQ(to_string(parse_paint_rule("mirror=zyx").value()), "mirror=xyz");
+}
+
 TEST(ParsePaintRule, ReadsDecimals) {
-  EXPECT_EQ(parse_paint_rule("dihedral>30.25:+1").value().selection,
-            Selection(SelectDihedral{30.25}));
-  EXPECT_EQ(parse_paint_rule("dihedral>.5:+1").value().selection, Selection(SelectDihedral{0.5}));
-  EXPECT_EQ(parse_paint_rule("dihedral>0:+1").value().selection, Selection(SelectDihedral{0.0}));
-  EXPECT_EQ(parse_paint_rule("dihedral>180:+1").value().selection,
-            Selection(SelectDihedral{180.0}));
+  EXPECT_EQ(parse_paint_rule("dihedral>30.25:+1").value(),
+            rule(SelectDihedral{30.25}, DepthChange::add(1)));
+  EXPECT_EQ(parse_paint_rule("dihedral>.5:+1").value(),
+            rule(SelectDihedral{0.5}, DepthChange::add(1)));
+  EXPECT_EQ(parse_paint_rule("dihedral>0:+1").value(),
+            rule(SelectDihedral{0.0}, DepthChange::add(1)));
+  EXPECT_EQ(parse_paint_rule("dihedral>180:+1").value(),
+            rule(SelectDihedral{180.0}, DepthChange::add(1)));
 }
 
 TEST(ParsePaintRule, AllowsBlanksAroundTheParts) {
@@ -81,6 +105,12 @@ TEST(ParsePaintRule, SaysWhatIsMissing) {
   EXPECT_THAT(complaint("faces=1,,2:+1"), HasSubstr("missing beside a comma"));
   EXPECT_THAT(complaint("faces=1,2,:+1"), HasSubstr("missing beside a comma"));
   EXPECT_THAT(complaint("faces=,1:+1"), HasSubstr("missing beside a comma"));
+  EXPECT_THAT(complaint("flood:+1"), HasSubstr("as in \"flood=12\""));
+  EXPECT_THAT(complaint("connected=:+1"), HasSubstr("as in \"connected=12\""));
+  EXPECT_THAT(complaint("smart=,30:+1"), HasSubstr("as in \"smart=12,40\""));
+  EXPECT_THAT(complaint("smart=3:+1"), HasSubstr("Nothing after the face of \"smart=\""));
+  EXPECT_THAT(complaint("mirror"), HasSubstr("Nothing after \"mirror\""));
+  EXPECT_THAT(complaint("mirror="), HasSubstr("\"mirror=xz\""));
 }
 
 TEST(ParsePaintRule, NamesWhatItDoesNotKnow) {
@@ -103,6 +133,14 @@ TEST(ParsePaintRule, NamesWhatItDoesNotKnow) {
   EXPECT_THAT(complaint("dihedral=30:+1"), HasSubstr("needs a threshold"));
   EXPECT_THAT(complaint("dihedral>=30:+1"), HasSubstr("\"=30\""));
   EXPECT_THAT(complaint("dihedral>30deg:+1"), HasSubstr("\"30deg\""));
+  EXPECT_THAT(complaint("flood=a:+1"), HasSubstr("\"a\""));
+  EXPECT_THAT(complaint("flood=1,2:+1"), HasSubstr("\"1,2\""));
+  EXPECT_THAT(complaint("smart=1,x:+1"), HasSubstr("\"x\""));
+  EXPECT_THAT(complaint("grow:+1"), HasSubstr("\"grow\""));
+  EXPECT_THAT(complaint("groww"), HasSubstr("\"groww\""));
+  EXPECT_THAT(complaint("groww"), HasSubstr("\"grow\", \"shrink\""));
+  EXPECT_THAT(complaint("mirror=xx"), HasSubstr("\"=xx\""));
+  EXPECT_THAT(complaint("mirror=w"), HasSubstr("\"=w\""));
 }
 
 TEST(ParsePaintRule, RefusesNumbersOutOfRange) {
@@ -112,6 +150,8 @@ TEST(ParsePaintRule, RefusesNumbersOutOfRange) {
   EXPECT_THAT(complaint("faces=4294967296:+1"), HasSubstr("too large"));
   EXPECT_THAT(complaint("faces=99999999999999999999999:+1"), HasSubstr("too large"));
   EXPECT_THAT(complaint("faces=9-3:+1"), HasSubstr("\"3-9\""));
+  EXPECT_THAT(complaint("smart=1,360.5:+1"), HasSubstr("0 to 360"));
+  EXPECT_THAT(complaint("flood=4294967296:+1"), HasSubstr("\"4294967296\""));
   for (const char* angle : {"-1", "180.01", "1e999", "inf", "nan", "-inf", "--3"}) {
     EXPECT_THAT(complaint(std::string("dihedral>") + angle + ":+1"), HasSubstr("0 to 180"))
         << angle;
@@ -128,7 +168,17 @@ TEST(ParsePaintRule, ToStringReadsBackTheSame) {
   std::mt19937 random(30);
   for (int round = 0; round < 2000; ++round) {
     Selection selection;
-    switch (random() % 4) {
+    switch (random() % 7) {
+      case 3:
+        selection = SelectFlood{static_cast<std::uint32_t>(random())};
+        break;
+      case 4:
+        selection = SelectConnected{static_cast<std::uint32_t>(random())};
+        break;
+      case 5:
+        selection = SelectSmart{static_cast<std::uint32_t>(random()),
+                                std::uniform_real_distribution<>(0.0, 360.0)(random)};
+        break;
       case 0:
         selection = SelectAll{};
         break;
@@ -155,11 +205,12 @@ TEST(ParsePaintRule, ToStringReadsBackTheSame) {
 }
 
 TEST(ParsePaintRule, AnyTextGivesARuleOrAComplaint) {
-  const std::string letters = "alvisbedihrfc=>:+-,.0123456789 #\n\t";
+  const std::string letters = "alvisbedihrfcgowmtkxyz=>:+-,.0123456789 #\n\t";
   std::mt19937 random(7);
   for (int round = 0; round < 20000; ++round) {
-    std::string text = std::vector<std::string>{"all:+1", "dihedral>30:=2", "faces=1,2-4:-1",
-                                                "visible:+3"}[random() % 4];
+    std::string text = std::vector<std::string>{
+        "all:+1",        "dihedral>30:=2", "faces=1,2-4:-1", "visible:+3", "flood=3:+1",
+        "smart=3,40:=2", "connected=1:-1", "mirror=xz",      "grow"}[random() % 9];
     for (auto count = random() % 4; count > 0; --count) {
       const char letter = letters[random() % letters.size()];
       const std::size_t at = random() % (text.size() + 1);
@@ -227,6 +278,35 @@ TEST_F(ApplyPaintRule, RulesWorkOneAfterTheOther) {
   EXPECT_THAT(depths_.values(), ElementsAre(0, 2, 3, 2, 2, 0));
 }
 
+TEST_F(ApplyPaintRule, RegionsGrowOverThePaintingSoFar) {
+  ASSERT_TRUE(apply("faces=0,1:=1"));  // Left and right, far from each other.
+  ASSERT_TRUE(apply("flood=0:+1"));
+  EXPECT_THAT(depths_.values(), ElementsAre(2, 1, 0, 0, 0, 0));
+  ASSERT_TRUE(apply("flood=4:=3"));
+  EXPECT_THAT(depths_.values(), ElementsAre(2, 1, 3, 3, 3, 3));
+  ASSERT_TRUE(apply("smart=0,90:-1"));
+  EXPECT_THAT(depths_.values(), ElementsAre(1, 1, 2, 2, 2, 2));
+  ASSERT_TRUE(apply("connected=3:+1"));
+  EXPECT_THAT(depths_.values(), ElementsAre(2, 2, 3, 3, 3, 3));
+}
+
+TEST_F(ApplyPaintRule, ThePaintingChangesAsAWhole) {
+  ASSERT_TRUE(apply("faces=0:=4"));
+  ASSERT_TRUE(apply("mirror=x"));
+  EXPECT_THAT(depths_.values(), ElementsAre(4, 4, 0, 0, 0, 0));
+  ASSERT_TRUE(apply("invert"));
+  EXPECT_THAT(depths_.values(), ElementsAre(0, 0, 4, 4, 4, 4));
+  ASSERT_TRUE(apply("shrink"));
+  EXPECT_THAT(depths_.values(), Each(0));
+  ASSERT_TRUE(apply("faces=2:=5"));
+  ASSERT_TRUE(apply("smooth"));
+  EXPECT_THAT(depths_.values(), ElementsAre(1, 1, 1, 0, 1, 1));
+  ASSERT_TRUE(apply("grow"));
+  EXPECT_THAT(depths_.values(), Each(1));
+  ASSERT_TRUE(apply("clear"));
+  EXPECT_THAT(depths_.values(), Each(0));
+}
+
 TEST_F(ApplyPaintRule, StaysWithinTheRange) {
   for (int i = 0; i < kMaxDepth + 3; ++i) {
     ASSERT_TRUE(apply("all:+1"));
@@ -244,6 +324,9 @@ TEST_F(ApplyPaintRule, AnErrorLeavesTheDepthsAsTheyWere) {
   EXPECT_FALSE(apply("faces=0-99:+1"));
   EXPECT_EQ(depths_, before);
   EXPECT_FALSE(apply("visible:+1"));
+  for (const char* rule : {"flood=6:+1", "smart=6,40:+1", "connected=6:+1"}) {
+    EXPECT_FALSE(apply(rule));
+  }
   EXPECT_EQ(depths_, before);
 }
 

@@ -46,7 +46,7 @@ Mesh fold(double scale, double offset) {
 }
 
 std::vector<std::uint32_t> selected(const Mesh& mesh, const Selection& selection) {
-  return select_faces(*mesh, selection, {}).value();
+  return select_faces(*mesh, FaceDepths(mesh->face_count()), selection, {}).value();
 }
 
 TEST(DihedralAngles, CubeHasNinetyDegreesEverywhere) {
@@ -129,28 +129,29 @@ TEST(SelectFaces, RangesAreMergedAscending) {
 }
 
 TEST(SelectFaces, AFaceThatIsNotThereIsNamed) {
-  const auto beyond = select_faces(*bundled("cube"), SelectFaces{{{0, 6}}}, {});
+  const auto beyond = select_faces(*bundled("cube"), FaceDepths(6), SelectFaces{{{0, 6}}}, {});
   ASSERT_FALSE(beyond);
   EXPECT_EQ(beyond.error().kind, ErrorKind::kUsage);
   EXPECT_THAT(beyond.error().message, HasSubstr("no face 6"));
   EXPECT_THAT(beyond.error().message, HasSubstr("0 to 5"));
-  EXPECT_FALSE(select_faces(*bundled("cube"), SelectFaces{{{0, 0xFFFFFFFFU}}}, {}));
-  EXPECT_FALSE(select_faces(*bundled("cube"), SelectFaces{{{3, 2}}}, {}));
+  EXPECT_FALSE(select_faces(*bundled("cube"), FaceDepths(6), SelectFaces{{{0, 0xFFFFFFFFU}}}, {}));
+  EXPECT_FALSE(select_faces(*bundled("cube"), FaceDepths(6), SelectFaces{{{3, 2}}}, {}));
 }
 
 TEST(SelectFaces, VisibleAsksWhoCanDraw) {
   const Mesh cube = bundled("cube");
   const VisibleFaces front = [] { return std::vector<std::uint32_t>{1, 4}; };
-  EXPECT_THAT(select_faces(*cube, SelectVisible{}, front).value(), ElementsAre(1, 4));
+  EXPECT_THAT(select_faces(*cube, FaceDepths(6), SelectVisible{}, front).value(),
+              ElementsAre(1, 4));
 
   const VisibleFaces broken = []() -> Result<std::vector<std::uint32_t>> {
     return fail(ErrorKind::kEnvironment, "no OpenGL");
   };
-  const auto failed = select_faces(*cube, SelectVisible{}, broken);
+  const auto failed = select_faces(*cube, FaceDepths(6), SelectVisible{}, broken);
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().kind, ErrorKind::kEnvironment);
 
-  const auto nobody = select_faces(*cube, SelectVisible{}, {});
+  const auto nobody = select_faces(*cube, FaceDepths(6), SelectVisible{}, {});
   ASSERT_FALSE(nobody);
   EXPECT_EQ(nobody.error().kind, ErrorKind::kUsage);
 }

@@ -268,10 +268,13 @@ TEST(Panels, KeysReachTheirActions) {
   screen.key(Key::k7);
   screen.key(Key::kE, {.ctrl = true});
   EXPECT_THAT(screen.take_actions(),
-              ElementsAre(Action(ActionId::kLowerAll), Action(ActionId::kSetTargetDepth, 7)));
-  screen.model.refinement.result = RefinementResult{};
-  screen.key(Key::kE, {.ctrl = true});
-  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kExportRefined)));
+              ElementsAre(Action(ActionId::kLowerAll), Action(ActionId::kSetTargetDepth, 7),
+                          Action(ActionId::kExportRefined)));
+  screen.key(Key::kEnter, {.ctrl = true});
+  EXPECT_THAT(screen.take_actions(), IsEmpty()) << "nothing is refined that could be applied";
+  screen.model.refinement.result = RefinementResult{.levels = 1};
+  screen.key(Key::kEnter, {.ctrl = true});
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kApply)));
 }
 
 TEST(Panels, AHeldKeyRepeatsOnlyWhatMayRepeat) {

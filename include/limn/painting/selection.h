@@ -7,6 +7,7 @@
 
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
+#include "limn/painting/face_depths.h"
 
 namespace limn {
 
@@ -39,8 +40,33 @@ struct SelectFaces {
   [[nodiscard]] bool operator==(const SelectFaces&) const = default;
 };
 
+/// The faces of the depth that `seed` has when the rule's turn comes, as far as they hang together
+/// with it (`flood_region`).
+struct SelectFlood {
+  std::uint32_t seed = 0;
+
+  [[nodiscard]] bool operator==(const SelectFlood&) const = default;
+};
+
+/// The faces that can be reached from `seed` over dihedral angles that add up to at most `degrees`,
+/// 0..kMostFillAngle (`smart_region`).
+struct SelectSmart {
+  std::uint32_t seed = 0;
+  double degrees = 40.0;
+
+  [[nodiscard]] bool operator==(const SelectSmart&) const = default;
+};
+
+/// The connected component of `seed`.
+struct SelectConnected {
+  std::uint32_t seed = 0;
+
+  [[nodiscard]] bool operator==(const SelectConnected&) const = default;
+};
+
 /// Which faces a paint rule changes.
-using Selection = std::variant<SelectAll, SelectVisible, SelectDihedral, SelectFaces>;
+using Selection = std::variant<SelectAll, SelectVisible, SelectDihedral, SelectFaces, SelectFlood,
+                               SelectSmart, SelectConnected>;
 
 /// Answers `SelectVisible`: the control faces that show, ascending. Supplied by whoever can draw.
 using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
@@ -54,9 +80,11 @@ using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
 /// with boundary edges only.
 [[nodiscard]] std::vector<double> face_dihedral_angles(const ControlMesh& mesh);
 
-/// The selected faces, ascending. Errors: kUsage where a face number is out of range, and whatever
-/// `visible` returns; `visible` may be empty, then SelectVisible fails with kUsage.
+/// The selected faces, ascending, of a painting with one depth per face. Errors: kUsage where a
+/// face number is out of range, and whatever `visible` returns; `visible` may be empty, then
+/// SelectVisible fails with kUsage.
 [[nodiscard]] Result<std::vector<std::uint32_t>> select_faces(const ControlMesh& mesh,
+                                                              const FaceDepths& depths,
                                                               const Selection& selection,
                                                               const VisibleFaces& visible);
 

@@ -19,10 +19,6 @@ struct Interval {
   }
 };
 
-double effective_radius(const BrushCapsule& capsule) {
-  return std::max(capsule.radius, 0.7072);
-}
-
 void add_disc(Interval& interval, FramebufferPoint centre, double radius, double y) {
   const double dy = y - centre.y;
   if (std::abs(dy) <= radius) {
@@ -72,6 +68,10 @@ int to_int(double value) {
 }
 
 }  // namespace
+
+double effective_radius(const BrushCapsule& capsule) noexcept {
+  return std::max(capsule.radius, 0.7072);
+}
 
 PixelRect pixel_rect(const BrushCapsule& capsule, FramebufferSize size) {
   const double radius = effective_radius(capsule);

@@ -14,6 +14,9 @@ struct BrushCapsule {
   double radius = 0.0;
 };
 
+/// Its radius, in pixels, with that taken into account.
+[[nodiscard]] double effective_radius(const BrushCapsule& capsule) noexcept;
+
 /// The pixels whose centres the capsule may cover, clipped to the image.
 [[nodiscard]] PixelRect pixel_rect(const BrushCapsule& capsule, FramebufferSize size);
 

@@ -1,6 +1,6 @@
 // Two numbers stand for a face here: its place in the drawn surface (plus 1) in the image, and its
 // control face everywhere else. The surface's face records lead from one to the other, on the CPU
-// for the few pixels of a brush and in a compute shader for the whole image.
+// for the pixels of a brush or lasso and in a compute shader for the whole image.
 #include "render/picking/face_picker.h"
 
 #include <algorithm>
@@ -111,9 +111,10 @@ std::optional<PickedFace> FacePicker::pick(const PickScene& scene, FramebufferPo
   return picked;
 }
 
-std::vector<std::uint32_t> FacePicker::brush(const PickScene& scene, const BrushCapsule& capsule) {
+std::vector<std::uint32_t> FacePicker::faces_in(const PickScene& scene,
+                                                const ScreenRegion& region) {
   std::vector<std::uint32_t> met;
-  const PixelRect covered = pixel_rect(capsule, scene.camera.size);
+  const PixelRect covered = region.pixel_rect(scene.camera.size);
   if (covered.is_empty() || !update(scene)) {
     return met;
   }
@@ -124,30 +125,32 @@ std::vector<std::uint32_t> FacePicker::brush(const PickScene& scene, const Brush
 
   drawn_.clear();
   for (int y = covered.y; y < covered.y + covered.height; ++y) {
-    const PixelSpan span = covered_span(capsule, y);
     const int row = y - rect.y;
-    const int first = std::max(span.first, covered.x) - rect.x;
-    const int last = std::min(span.last, covered.x + covered.width) - rect.x;
     const std::uint32_t* ids =
         pixels_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(rect.width);
-    std::uint32_t previous = 0;
-    for (int column = first; column < last; ++column) {
-      const std::uint32_t id = ids[column];
-      if (id == previous || !counts_as_seen(pixels_, rect.width, rect.height, column, row)) {
-        continue;
+    region.covered_spans(y, spans_);
+    for (const PixelSpan& span : spans_) {
+      const int first = std::max(span.first, covered.x) - rect.x;
+      const int last = std::min(span.last, covered.x + covered.width) - rect.x;
+      std::uint32_t previous = 0;
+      for (int column = first; column < last; ++column) {
+        const std::uint32_t id = ids[column];
+        if (id == previous || !counts_as_seen(pixels_, rect.width, rect.height, column, row)) {
+          continue;
+        }
+        previous = id;
+        drawn_.push_back(drawn_face_of(id));
       }
-      previous = id;
-      drawn_.push_back(drawn_face_of(id));
     }
   }
   look_up_control_faces(scene.surface);
-  if (last_met_.size() != scene.surface.control_face_count() || ++brush_count_ == 0) {
+  if (last_met_.size() != scene.surface.control_face_count() || ++question_count_ == 0) {
     last_met_.assign(scene.surface.control_face_count(), 0);
-    brush_count_ = 1;
+    question_count_ = 1;
   }
   for (const std::uint32_t face : controls_) {
-    if (last_met_[face] != brush_count_) {
-      last_met_[face] = brush_count_;
+    if (last_met_[face] != question_count_) {
+      last_met_[face] = question_count_;
       met.push_back(face);
     }
   }

@@ -9,9 +9,9 @@
 #include "render/camera.h"
 #include "render/gl/buffer.h"
 #include "render/gl/shader_program.h"
-#include "render/picking/brush_capsule.h"
 #include "render/picking/id_image.h"
 #include "render/picking/picked_face.h"
+#include "render/picking/screen_region.h"
 #include "render/surface/surface_buffers.h"
 
 namespace limn::render {
@@ -41,11 +41,16 @@ class FacePicker {
   /// The nearest face at a place of the image; nothing beside the surface or outside the image.
   [[nodiscard]] std::optional<PickedFace> pick(const PickScene& scene, FramebufferPoint point);
 
-  /// The control faces that are seen (seen.h) in a pixel under the brush, each once, in the
-  /// order of their first pixel from the top left. Reads back only the rectangle around the brush;
-  /// takes time proportional to its pixels.
+  /// The control faces that are seen (seen.h) in a pixel of the region, each once, in the order of
+  /// their first pixel from the top left. Reads back only the rectangle around the region; takes
+  /// time proportional to its pixels.
+  [[nodiscard]] std::vector<std::uint32_t> faces_in(const PickScene& scene,
+                                                    const ScreenRegion& region);
+  /// Those under a brush.
   [[nodiscard]] std::vector<std::uint32_t> brush(const PickScene& scene,
-                                                 const BrushCapsule& capsule);
+                                                 const BrushCapsule& capsule) {
+    return faces_in(scene, ScreenRegion(capsule));
+  }
 
   /// The control faces that are seen (seen.h) in at least one pixel, ascending. They are gathered
   /// on the GPU, from the finished image, so that a face which is drawn first and then covered does
@@ -84,12 +89,13 @@ class FacePicker {
   gl::Buffer answers_;
 
   // Kept to save allocations.
-  std::vector<std::uint32_t> pixels_;    ///< The brush's rectangle.
+  std::vector<std::uint32_t> pixels_;    ///< The region's rectangle.
+  std::vector<PixelSpan> spans_;         ///< Of one row.
   std::vector<std::uint32_t> drawn_;     ///< Drawn faces in question.
   std::vector<std::uint32_t> controls_;  ///< Their control faces.
-  /// For each control face the number of the last stroke of `brush` that met it.
+  /// For each control face the number of the last question of `faces_in` that met it.
   std::vector<std::uint32_t> last_met_;
-  std::uint32_t brush_count_ = 0;
+  std::uint32_t question_count_ = 0;
 };
 
 }  // namespace limn::render

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "limn/error.h"
+#include "limn/painting/selection.h"
+
+namespace limn::rule_text {
+
+/// Reads `all`, `visible`, `dihedral>30`, `faces=0,3-9`, `flood=12`, `smart=12,40`, `connected=12`.
+/// Errors: kUsage.
+[[nodiscard]] Result<Selection> parse_selection(std::string_view text);
+
+/// The selection as `parse_selection` reads it.
+[[nodiscard]] std::string to_text(const Selection& selection);
+
+}  // namespace limn::rule_text
