@@ -7,13 +7,19 @@ const int kColourByDepth = 8;
 const int kColourByLevel = 16;
 const int kShowIllegal = 32;
 const int kFilled = 64;
+const int kMaterialShift = 7;  // two bits
+
+const int kStudio = 0;
+const int kClay = 1;
+const int kDark = 2;
+const int kShiny = 3;
 
 layout(std140, binding = 0) uniform Frame {
   mat4 clip_from_local;
   mat4 view_from_local;
   mat4 projection;
   vec4 viewport;       // width, height, pixels per unit of the interface, unused
-  vec4 palette[8];     // linear RGB of depths
+  vec4 palette[8];     // linear RGB of depths; the first is the material's own
   vec4 palette_text[8];  // sRGB of digits on them
   vec4 valences[4];    // sRGB of irregular vertices, as are the next ones
   vec4 valence_text[4];  // of digits on them
@@ -26,6 +32,7 @@ layout(std140, binding = 0) uniform Frame {
 };
 
 bool has_option(int option) { return (options & option) != 0; }
+int material() { return options >> kMaterialShift & 3; }
 bool is_perspective() { return projection[3][3] == 0.0; }
 
 vec3 srgb_from_linear(vec3 colour) {

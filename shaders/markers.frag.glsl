@@ -16,6 +16,7 @@ const uint kValence = 4u;  // 4 + band
 
 in vec2 from_centre;
 flat in uint number;
+flat in uint shade;
 flat in uint style;
 
 layout(location = 0) out vec4 colour;
@@ -52,13 +53,12 @@ float number_coverage(float height, float thickness) {
 
 void main() {
   float unit = viewport.z;
-  uint shade = min(number, 7u);
   if (style == kFaceNumber) {
     float ink = number_coverage(number >= 10u ? 9.0 * unit : 10.0 * unit, 1.5 * unit);
     if (ink <= 0.0) {
       discard;
     }
-    colour = vec4(palette_text[shade].rgb, 0.85 * ink);
+    colour = vec4(has_option(kFilled) ? palette_text[shade].rgb : cage.rgb, 0.85 * ink);
     return;
   }
 

@@ -13,12 +13,14 @@ const float kReach = 10.0;  // the largest marker's half side, in units of the i
 
 out vec2 from_centre;  // pixels, y up
 flat out uint number;
+flat out uint shade;  // of the palette
 flat out uint style;
 
 void main() {
   Marker marker = markers[uint(gl_VertexID) / 6];
   uint part = uint(gl_VertexID) % 6;
   number = marker.number_and_style & 0xFFu;
+  shade = min(number, 7u);
   style = marker.number_and_style >> 8;
 
   vec4 centre = clip_from_local * vec4(marker.x, marker.y, marker.z, 1.0);

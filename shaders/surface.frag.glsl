@@ -1,8 +1,9 @@
 #version 450
-// Depth colours under a light fixed to the camera, then wireframe, hatching and highlight over them.
+// Depth colours under a light fixed to the camera or as a matcap, then wireframe, hatching and highlight over them.
 // Light is computed in linear RGB; what lies over it is mixed in sRGB, as a painter would.
 
 #include "frame.glsl"
+#include "matcap.glsl"
 
 in vec3 eye_position;
 in vec3 smooth_normal;
@@ -21,8 +22,7 @@ vec3 lit(vec3 base, vec3 normal, vec3 to_eye) {
   float fill = max(dot(normal, kFill), 0.0);
   float sky = 0.5 + 0.5 * normal.y;
   vec3 shaded = base * (0.27 + 0.12 * sky + 0.70 * key + 0.16 * fill);
-  float facing = max(dot(normal, to_eye), 0.0);
-  float rim = pow(1.0 - facing, 3.0);
+  float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 3.0);
   float gloss = pow(max(dot(normal, normalize(kKey + to_eye)), 0.0), 40.0);
   return shaded + rim * 0.10 * (0.35 + base) + gloss * 0.035;
 }
@@ -57,7 +57,10 @@ void main() {
     base = mix(base, vec3(dot(base, vec3(0.2126, 0.7152, 0.0722))), 0.5) * 0.55;
   }
   vec3 to_eye = is_perspective() ? normalize(-eye_position) : vec3(0.0, 0.0, 1.0);
-  vec3 shown = srgb_from_linear(has_option(kLit) ? lit(base, normal, to_eye) : base);
+  vec3 light = !has_option(kLit) ? base
+               : material() == kStudio ? lit(base, normal, to_eye)
+                                       : matcap(material(), base, facing(normal, to_eye));
+  vec3 shown = srgb_from_linear(light);
 
   vec4 pixels = pixels_to_edges();
   float nearest = min(min(pixels.x, pixels.y), min(pixels.z, pixels.w));

@@ -59,6 +59,14 @@ ui::NavigationPreset preset_named(std::string_view name) {
              : static_cast<ui::NavigationPreset>(found - kPresetNames.begin());
 }
 
+constexpr std::array<std::string_view, 4> kMaterialNames{"studio", "clay", "dark", "shiny"};
+
+ui::Material material_named(std::string_view name) {
+  const auto found = std::ranges::find(kMaterialNames, name);
+  return found == kMaterialNames.end() ? ui::Material::kStudio
+                                       : static_cast<ui::Material>(found - kMaterialNames.begin());
+}
+
 Preferences from_json(const Json& json) {
   Preferences preferences;
   const Reader root(json);
@@ -81,6 +89,9 @@ Preferences from_json(const Json& json) {
   display.read("light", preferences.display.light);
   display.read("creases", preferences.display.creases);
   display.read("live", preferences.display.live);
+  std::string material;
+  display.read("material", material);
+  preferences.display.material = material_named(material);
 
   root.read("brush_radius", preferences.brush_radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
@@ -121,7 +132,8 @@ Json to_json(const Preferences& preferences) {
         {"smooth", display.smooth},
         {"light", display.light},
         {"creases", display.creases},
-        {"live", display.live}}},
+        {"live", display.live},
+        {"material", kMaterialNames.at(static_cast<std::size_t>(display.material))}}},
       {"brush_radius", preferences.brush_radius},
       {"dihedral_threshold", preferences.dihedral_threshold},
       {"crease_sharpness", preferences.crease_sharpness},

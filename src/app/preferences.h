@@ -15,8 +15,8 @@ namespace limn::app {
 
 /// What a person has chosen once and finds again at the next start. Nothing of a document.
 struct Preferences {
-  ui::DisplaySettings
-      display;  ///< Theme, wireframe, smooth, light, creases, live; the rest starts as default.
+  /// Theme, wireframe, smooth, light, creases, live, material; the rest starts as default.
+  ui::DisplaySettings display;
   ui::KeymapId keymap = ui::KeymapId::kOriginal;
   ui::NavigationSettings navigation;
   double brush_radius = ui::BrushSettings{}.radius;

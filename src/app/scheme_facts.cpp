@@ -1,5 +1,6 @@
 #include "app/scheme_facts.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace limn::app {
@@ -35,6 +36,23 @@ void SchemeFacts::update(const std::shared_ptr<const ControlMesh>& mesh,
     misfit_ = ui::SchemeMisfit{std::move(fits.error().message), fitting_of(*mesh, scheme->scheme)};
   } else {
     counts_ = predict_scheme(*mesh, *scheme, kMostSchemeLevels);
+  }
+}
+
+void ShownLevels::update(const std::shared_ptr<const ControlMesh>& control,
+                         const std::shared_ptr<const RefinedMesh>& refined) {
+  if (control_ == control && refined_ == refined) {
+    return;
+  }
+  control_ = control;
+  refined_ = refined;
+  counts_ = {};
+  if (refined == nullptr) {
+    counts_[0] = control->face_count();
+    return;
+  }
+  for (const std::uint8_t level : refined->face_levels) {
+    ++counts_[std::min<std::size_t>(level, counts_.size() - 1)];
   }
 }
 

@@ -29,6 +29,21 @@ class SchemeFacts {
   std::vector<SchemeCounts> counts_;
 };
 
+/// Faces of each level of the mesh shown: counted when they are first asked for.
+class ShownLevels {
+ public:
+  /// The refined mesh where there is one, otherwise the control mesh, whose faces are of level 0.
+  void update(const std::shared_ptr<const ControlMesh>& control,
+              const std::shared_ptr<const RefinedMesh>& refined);
+
+  [[nodiscard]] const ui::DepthCounts& counts() const noexcept { return counts_; }
+
+ private:
+  std::shared_ptr<const ControlMesh> control_;
+  std::shared_ptr<const RefinedMesh> refined_;
+  ui::DepthCounts counts_{};
+};
+
 /// Irregular vertices of the mesh shown: found when they are first asked for.
 class ShownValences {
  public:

@@ -306,6 +306,7 @@ ui::Model Session::model() const {
       .view = camera_.view(),
       .navigation = navigation_,
       .depth_counts = document_.depths.histogram(),
+      .level_counts = levels_.counts(),
       .crease_counts = facts_.creases(),
       .valence_counts = valences_.counts(),
       .dihedral_threshold = dihedral_threshold_,

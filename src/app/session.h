@@ -165,6 +165,7 @@ class Session {
   bool perform_display(const ui::Action& action);  // session_view.cpp
   bool perform_camera(const ui::Action& action);
   bool perform_navigation(const ui::Action& action);
+  bool set_material(ui::Material material);
   bool perform_report(const ui::Action& action);  // session_report.cpp
 
   void recover();
@@ -230,6 +231,7 @@ class Session {
   MeshFacts facts_;
   SchemeFacts scheme_facts_;
   SchemeFacts second_facts_;
+  ShownLevels levels_;
   ShownValences valences_;
   ShownValences second_valences_;
 

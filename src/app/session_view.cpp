@@ -58,6 +58,26 @@ bool Session::perform_display(const ui::Action& action) {
     case kToggleLive:
       set_or_flip(display_.live, action);
       return true;
+    case kToggleNumbers:
+      set_or_flip(display_.numbers, action);
+      return true;
+    case kTintDepth:
+      display_.tint = ui::Tint::kDepth;
+      return true;
+    case kTintLevel:
+      display_.tint = ui::Tint::kLevel;
+      return true;
+    case kTintNone:
+      display_.tint = ui::Tint::kNone;
+      return true;
+    case kMaterialStudio:
+      return set_material(ui::Material::kStudio);
+    case kMaterialClay:
+      return set_material(ui::Material::kClay);
+    case kMaterialDark:
+      return set_material(ui::Material::kDark);
+    case kMaterialShiny:
+      return set_material(ui::Material::kShiny);
     case kThemeDark:
       display_.theme = ui::Theme::kDark;
       return true;
@@ -67,6 +87,12 @@ bool Session::perform_display(const ui::Action& action) {
     default:
       return false;
   }
+}
+
+bool Session::set_material(ui::Material material) {
+  display_.material = material;
+  display_.light = true;  // Without light there is none to be seen.
+  return true;
 }
 
 bool Session::shows_refined() const noexcept {

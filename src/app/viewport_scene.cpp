@@ -13,6 +13,12 @@ namespace {
 constexpr float kRingWidth = 1.5F;
 constexpr float kEdgeWidth = 4.0F;
 
+// One list of names, seen from two rooms.
+static_assert(static_cast<int>(ui::Tint::kDepth) == static_cast<int>(render::FaceColour::kDepth));
+static_assert(static_cast<int>(ui::Tint::kLevel) == static_cast<int>(render::FaceColour::kLevel));
+static_assert(static_cast<int>(ui::Tint::kNone) == static_cast<int>(render::FaceColour::kPlain));
+static_assert(static_cast<int>(ui::Material::kShiny) == static_cast<int>(render::Material::kShiny));
+
 render::DrawSettings draw_settings(const ui::DisplaySettings& display, double scale) {
   render::DrawSettings settings;
   settings.shading = display.smooth ? render::Shading::kSmooth : render::Shading::kFlat;
@@ -21,6 +27,9 @@ render::DrawSettings draw_settings(const ui::DisplaySettings& display, double sc
   settings.is_lit = display.light;
   settings.has_wireframe = display.wireframe;
   settings.has_faces = display.faces;
+  settings.colour = static_cast<render::FaceColour>(display.tint);
+  settings.material = static_cast<render::Material>(display.material);
+  settings.has_numbers = display.numbers;
   settings.shows_illegal_faces = display.illegal_marks;
   settings.scale = static_cast<float>(scale);
   return settings;
@@ -88,10 +97,12 @@ Result<void> ViewportScene::sync(const Session& session) {
   if (auto synced = sync_refined(refinement, refined_); !synced) {
     return synced;
   }
+  sync_numbers(session.display(), refinement, refined_);
   if (session.is_split()) {
     if (auto synced = sync_refined(session.second(), second_); !synced) {
       return synced;
     }
+    sync_numbers(session.display(), session.second(), second_);
   }
   sync_labels(session);
   if (session.display().valences) {
@@ -122,8 +133,19 @@ Result<void> ViewportScene::sync_refined(const LiveRefinement& refinement, Refin
     }
     refined.creases.upload(render::crease_lines(*result->mesh, refined.surface.origin()));
     refined.is_there = true;
+    refined.has_numbered = false;
   }
   return {};
+}
+
+void ViewportScene::sync_numbers(const ui::DisplaySettings& display,
+                                 const LiveRefinement& refinement, Refined& refined) {
+  const bool are_wanted = display.numbers && display.tint != ui::Tint::kLevel;
+  if (are_wanted && refined.is_there && !refined.has_numbered) {
+    refined.numbered.upload(render::middle_faces(*refinement.refined()->surface));
+    refined.has_numbered = true;
+    ++content_;
+  }
 }
 
 void ViewportScene::leave_out_refined(const Session& session) {
@@ -210,6 +232,9 @@ render::Scene ViewportScene::scene_of(const Session& session, const Refined* ref
   if (session.display().creases) {
     scene.creases = refined != nullptr ? &refined->creases : &control_creases_;
     scene.cage_creases = scene.cage != nullptr ? &control_creases_ : nullptr;
+  }
+  if (refined != nullptr && session.display().tint != ui::Tint::kLevel) {
+    scene.numbered = &refined->numbered;
   }
   if (session.display().valences && dots.markers.count() > 0) {
     scene.valences = &dots.markers;

@@ -93,8 +93,10 @@ class ViewportScene {
   struct Refined {
     render::SurfaceBuffers surface;
     render::CreaseBuffers creases;
+    render::NumberedFaces numbered;
     std::optional<std::uint64_t> revision;
     bool is_there = false;
+    bool has_numbered = false;  ///< `numbered` is of what is there.
   };
   /// Irregular vertices of what is shown.
   struct Dots {
@@ -103,6 +105,9 @@ class ViewportScene {
   };
 
   [[nodiscard]] Result<void> sync_refined(const LiveRefinement& refinement, Refined& refined);
+  /// Which faces hold a number, once numbers are to be seen.
+  void sync_numbers(const ui::DisplaySettings& display, const LiveRefinement& refinement,
+                    Refined& refined);
   void sync_labels(const Session& session);
   void sync_dots(const ShownValences& valences, const ControlMesh& control,
                  const RefinedMesh* refined, Dots& dots);

@@ -1,5 +1,6 @@
 #include "cli/picture.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,15 +18,29 @@ namespace {
 
 using Show = PictureSettings::Show;
 
+/// Drawn faces of each level, wherever the surface was made.
+ui::DepthCounts level_counts(const render::SurfaceBuffers& surface) {
+  constexpr unsigned kLevelShift = 28;  // As in shaders/surface.glsl.
+  ui::DepthCounts counts{};
+  for (const std::uint32_t face : surface.faces().read<std::uint32_t>()) {
+    ++counts[std::min<std::size_t>(face >> kLevelShift, counts.size() - 1)];
+  }
+  return counts;
+}
+
 /// The legend's box, at the same size whatever the picture's, drawn over what the target holds.
-void draw_legend_over(const Document& document, const PictureSettings& settings,
-                      render::FramebufferSize size) {
+void draw_legend_over(const Document& document, const ui::DepthCounts& levels,
+                      const PictureSettings& settings, render::FramebufferSize size) {
   const double scale = settings.draw.scale;
   ui::Gui gui(app::load_fonts(), {1.0, scale});
+  ui::LegendCounts counts;
+  counts.tint = static_cast<ui::Tint>(settings.draw.colour);
+  counts.depths = counts.tint == ui::Tint::kLevel ? levels : document.depths.histogram();
+  if (settings.has_creases) {
+    counts.creases = count_creases(*document.control);
+  }
   gui.frame_legend(
-      {document.depths.histogram(),
-       settings.has_creases ? count_creases(*document.control) : CreaseCounts{}},
-      settings.draw.theme == render::Theme::kDark ? ui::Theme::kDark : ui::Theme::kLight,
+      counts, settings.draw.theme == render::Theme::kDark ? ui::Theme::kDark : ui::Theme::kLight,
       {size.width / scale, size.height / scale});
   app::ImguiRenderer renderer;
   renderer.set_atlas(gui.atlas(), gui.atlas_revision());
@@ -50,6 +65,7 @@ Result<render::Image> draw_document(const Document& document, Derived& derived,
     return tl::unexpected(std::move(uploaded.error()));
   }
   render::SurfaceBuffers refined_buffers;
+  render::NumberedFaces numbered;
   std::vector<render::CreaseLine> refined_lines;
   if (draws_refined && refines_here) {
     Result<GpuDrawing> drawing = refine_on_gpu(
@@ -67,6 +83,9 @@ Result<render::Image> draw_document(const Document& document, Derived& derived,
         *derived.refinement->mesh, control_surface.origin, control.face_count());
     if (auto uploaded = refined_buffers.upload(surface, 1); !uploaded) {
       return tl::unexpected(std::move(uploaded.error()));
+    }
+    if (settings.draw.has_numbers) {
+      numbered.upload(render::middle_faces(surface));
     }
   }
 
@@ -105,6 +124,9 @@ Result<render::Image> draw_document(const Document& document, Derived& derived,
   scene.cage = settings.show == Show::kBoth ? &control_buffers : nullptr;
   scene.creases = draws_refined ? &refined_creases : &control_creases;
   scene.cage_creases = scene.cage != nullptr ? &control_creases : nullptr;
+  // Where the refinement is on the GPU alone, every face that can hold its number gets it.
+  const bool numbers_each = settings.draw.colour == render::FaceColour::kLevel || refines_here;
+  scene.numbered = draws_refined && !numbers_each ? &numbered : nullptr;
   scene.markers = &markers;
   render::DrawSettings draw = settings.draw;
   draw.shows_illegal_faces = settings.has_illegal;
@@ -120,7 +142,8 @@ Result<render::Image> draw_document(const Document& document, Derived& derived,
   renderer.draw(target, camera, scene, draw);
   if (settings.has_legend) {
     target.bind();
-    draw_legend_over(document, settings, camera.size);
+    draw_legend_over(document, level_counts(draws_refined ? refined_buffers : control_buffers),
+                     settings, camera.size);
   }
   return target.read();
 }

@@ -17,7 +17,7 @@ struct PictureSettings {
   enum class Show { kControl, kRefined, kBoth };
   Show show = Show::kRefined;
   render::DrawSettings draw;
-  bool has_labels = false;   ///< Vertex labels as numbered dots.
+  bool has_labels = false;   ///< Vertex labels as numbered dots. Numbers on faces are in `draw`.
   bool has_illegal = false;  ///< Illegal faces hatched, their vertices as dots.
   bool has_creases = true;   ///< Sharp edges and vertices, coloured by sharpness.
   bool has_legend = false;

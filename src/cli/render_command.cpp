@@ -181,6 +181,31 @@ void add_render_command(CLI::App& program, Work& work) {
   command
       ->add_flag("--light,!--no-light", picture.draw.is_lit, "Shading by light, or plain colours")
       ->default_str("on");
+  using Colour = render::FaceColour;
+  command
+      ->add_option(
+          "--colours", picture.draw.colour,
+          "depth (as painted), level (how often each refined face was subdivided), or none")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Colour>{{"depth", Colour::kDepth},
+                                                                        {"level", Colour::kLevel},
+                                                                        {"none", Colour::kPlain}})
+                      .description(""))
+      ->type_name("WORD")
+      ->default_str("depth");
+  using render::Material;
+  command
+      ->add_option("--material", picture.draw.material,
+                   "studio (matt), clay, dark (stone), or shiny (polish)")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Material>{{"studio", Material::kStudio},
+                                                                  {"clay", Material::kClay},
+                                                                  {"dark", Material::kDark},
+                                                                  {"shiny", Material::kShiny}})
+              .description(""))
+      ->type_name("WORD")
+      ->default_str("studio");
+  command->add_flag("--numbers", picture.draw.has_numbers,
+                    "The number that its colour stands for on each face large enough to hold it");
   command->add_flag("--labels", picture.has_labels, "Vertex labels as numbered dots");
   command->add_flag("--illegal", picture.has_illegal,
                     "Illegal faces hatched and illegal vertices as dots, as painted");

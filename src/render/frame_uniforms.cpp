@@ -13,6 +13,11 @@ constexpr std::int32_t kColourByDepth = 8;
 constexpr std::int32_t kColourByLevel = 16;
 constexpr std::int32_t kShowIllegal = 32;
 constexpr std::int32_t kFilled = 64;
+constexpr std::int32_t kMaterialShift = 7;
+
+constexpr Rgb kClay{0xc4, 0x8a, 0x6c};
+constexpr Rgb kStone{0x4a, 0x4e, 0x57};
+constexpr Rgb kPearl{0xcf, 0xd4, 0xda};
 
 constexpr Rgb kBlack{0, 0, 0};
 constexpr Rgb kDarkCage{0xe6, 0xe6, 0xe6};
@@ -36,10 +41,25 @@ std::int32_t option_bits(const DrawSettings& settings) {
   bits |= settings.colour == FaceColour::kLevel ? kColourByLevel : 0;
   bits |= settings.shows_illegal_faces ? kShowIllegal : 0;
   bits |= settings.has_faces ? kFilled : 0;
+  bits |= static_cast<std::int32_t>(settings.material) << kMaterialShift;
   return bits;
 }
 
 }  // namespace
+
+Rgb colour_of(Material material) noexcept {
+  switch (material) {
+    case Material::kClay:
+      return kClay;
+    case Material::kDark:
+      return kStone;
+    case Material::kShiny:
+      return kPearl;
+    case Material::kStudio:
+      break;
+  }
+  return depth_palette()[0];
+}
 
 Background background_of(Theme theme) noexcept {
   if (theme == Theme::kLight) {
@@ -62,8 +82,9 @@ FrameUniforms frame_uniforms(const Camera& camera, const glm::dvec3& origin,
   frame.viewport = {static_cast<float>(camera.size.width), static_cast<float>(camera.size.height),
                     settings.scale, 0.0F};
   for (std::size_t depth = 0; depth < frame.palette.size(); ++depth) {
-    frame.palette[depth] = linear_rgb(depth_palette()[depth]);
-    frame.palette_text[depth] = srgb(text_colour_on(depth_palette()[depth]));
+    const Rgb colour = depth > 0 ? depth_palette()[depth] : colour_of(settings.material);
+    frame.palette[depth] = linear_rgb(colour);
+    frame.palette_text[depth] = srgb(text_colour_on(colour));
   }
   for (std::size_t band = 0; band < frame.valences.size(); ++band) {
     frame.valences[band] = srgb(valence_palette()[band]);

@@ -1,6 +1,6 @@
-// Order: background, surface (with depth), cage hidden then visible, creases, markers, then what
-// lies flat on the screen. Everything after the surface is blended and leaves the depth buffer as
-// it is.
+// Order: background, surface (with depth), cage hidden then visible, creases, numbers, markers,
+// then what lies flat on the screen. Everything after the surface is blended and leaves the depth
+// buffer as it is.
 #include "render/mesh_renderer.h"
 
 #include <array>
@@ -66,6 +66,7 @@ MeshRenderer::MeshRenderer()
       surface_program_(load_program("surface.vert.glsl", "surface.frag.glsl")),
       edges_program_(load_program("edges.vert.glsl", "edges.frag.glsl")),
       creases_program_(load_program("creases.vert.glsl", "creases.frag.glsl")),
+      numbers_program_(load_program("numbers.vert.glsl", "markers.frag.glsl")),
       markers_program_(load_program("markers.vert.glsl", "markers.frag.glsl")),
       overlay_program_(load_program("overlay.vert.glsl", "overlay.frag.glsl")),
       ring_program_(load_program("ring.vert.glsl", "ring.frag.glsl")) {}
@@ -102,6 +103,9 @@ void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const 
     draw_cage(*scene.cage, settings);
   }
   draw_creases(scene);
+  if (settings.has_numbers && scene.surface != nullptr) {
+    draw_numbers(scene);
+  }
   for (const MarkerBuffers* markers : {scene.markers, scene.valences}) {
     if (markers != nullptr) {
       draw_markers(*markers);
@@ -154,6 +158,20 @@ void MeshRenderer::draw_creases(const Scene& scene) const {
       }
     }
   }
+}
+
+void MeshRenderer::draw_numbers(const Scene& scene) const {
+  const bool is_listed = scene.numbered != nullptr;
+  numbers_program_.set(0, scene.surface->group_count());
+  numbers_program_.set(1, is_listed ? 1 : 0);
+  numbers_program_.use();
+  scene.paint->bind();
+  digits_.bind_storage(9);
+  if (is_listed) {
+    scene.numbered->bind();
+  }
+  const std::size_t count = is_listed ? scene.numbered->count() : scene.surface->face_count();
+  scene.surface->draw_vertices(3 * count);
 }
 
 void MeshRenderer::draw_markers(const MarkerBuffers& markers) const {

@@ -14,6 +14,7 @@
 #include "render/surface/crease_lines.h"
 #include "render/surface/face_paint.h"
 #include "render/surface/markers.h"
+#include "render/surface/numbered_faces.h"
 #include "render/surface/surface_buffers.h"
 
 namespace limn::render {
@@ -41,6 +42,8 @@ struct Scene {
   const SurfaceBuffers* cage = nullptr;     ///< A control surface whose edges lie over `surface`.
   const CreaseBuffers* creases = nullptr;   ///< Of `surface`.
   const CreaseBuffers* cage_creases = nullptr;  ///< Of `cage`.
+  /// Where numbers are drawn: on these faces of `surface` alone, and not on every one.
+  const NumberedFaces* numbered = nullptr;
   const MarkerBuffers* markers = nullptr;
   const MarkerBuffers* valences = nullptr;  ///< Markers as well, over the others.
   std::optional<OverlayRing> ring;
@@ -63,6 +66,7 @@ class MeshRenderer {
   void draw_surface(const Scene& scene, const DrawSettings& settings) const;
   void draw_cage(const SurfaceBuffers& cage, const DrawSettings& settings) const;
   void draw_creases(const Scene& scene) const;
+  void draw_numbers(const Scene& scene) const;
   void draw_markers(const MarkerBuffers& markers) const;
   void draw_overlay(const Scene& scene);
 
@@ -74,6 +78,7 @@ class MeshRenderer {
   gl::ShaderProgram surface_program_;
   gl::ShaderProgram edges_program_;
   gl::ShaderProgram creases_program_;
+  gl::ShaderProgram numbers_program_;
   gl::ShaderProgram markers_program_;
   gl::ShaderProgram overlay_program_;
   gl::ShaderProgram ring_program_;

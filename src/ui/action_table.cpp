@@ -193,6 +193,24 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kToggleValences, kDisplay, ValueKind::kToggle, "Valences",
      "Mark irregular vertices, those that have not as many edges as in a regular grid (6 among "
      "triangles, otherwise 4), with how many they have."},
+    {kToggleNumbers, kDisplay, ValueKind::kToggle, "Numbers",
+     "Write on each face the number that its colour stands for, where the face is large enough on "
+     "the screen to hold it. On the refined mesh depths are written once for each control face."},
+    {kTintDepth, kDisplay, kNothing, "Colour by depth",
+     "Colour each face by the depth that is painted on its control face."},
+    {kTintLevel, kDisplay, kNothing, "Colour by level",
+     "Colour each refined face by how many times it has been subdivided itself. That shows where "
+     "the seams between depths run."},
+    {kTintNone, kDisplay, kNothing, "No colours",
+     "Show the surface in its material alone, whatever is painted."},
+    {kMaterialStudio, kDisplay, kNothing, "Studio",
+     "A matt surface under a key light, a fill and a rim. Depth colours are seen best."},
+    {kMaterialClay, kDisplay, kNothing, "Clay",
+     "Warm and soft, as what one models with. Shows the big shapes."},
+    {kMaterialDark, kDisplay, kNothing, "Dark stone",
+     "Dark, with light from both sides. Shows outlines and creases."},
+    {kMaterialShiny, kDisplay, kNothing, "Polish",
+     "Shiny, with two windows mirrored in it. Shows dents and seams that a matt surface hides."},
     {kThemeDark, kDisplay, kNothing, "Dark theme", "Light text on a dark ground."},
     {kThemeLight, kDisplay, kNothing, "Light theme", "Dark text on a light ground."},
 

@@ -169,6 +169,22 @@ bool is_checked(const Model& model, const Action& action) {
       return display.valences;
     case ActionId::kToggleLive:
       return display.live;
+    case ActionId::kToggleNumbers:
+      return display.numbers;
+    case ActionId::kTintDepth:
+      return display.tint == Tint::kDepth;
+    case ActionId::kTintLevel:
+      return display.tint == Tint::kLevel;
+    case ActionId::kTintNone:
+      return display.tint == Tint::kNone;
+    case ActionId::kMaterialStudio:
+      return display.material == Material::kStudio;
+    case ActionId::kMaterialClay:
+      return display.material == Material::kClay;
+    case ActionId::kMaterialDark:
+      return display.material == Material::kDark;
+    case ActionId::kMaterialShiny:
+      return display.material == Material::kShiny;
     case ActionId::kThemeDark:
       return display.theme == Theme::kDark;
     case ActionId::kThemeLight:

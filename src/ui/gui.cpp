@@ -259,14 +259,17 @@ void Gui::frame_legend(const LegendCounts& counts, Theme theme, WindowSize image
   ImGui::NewFrame();
   const LegendLook look{state.fonts, theme_colours(theme), state.unit()};
   const float margin = 16.0F * state.unit();
-  const WindowSize size = legend_size(look);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float bottom = static_cast<float>(image.height) - margin;
-  draw_legend(list, look, counts.depths, {margin, bottom - static_cast<float>(size.height)});
+  float left = margin;
+  if (counts.tint != Tint::kNone) {
+    const WindowSize size = legend_size(look, counts.tint);
+    draw_legend(list, look, counts, {left, bottom - static_cast<float>(size.height)});
+    left += static_cast<float>(size.width) + margin / 2.0F;
+  }
   if (has_creases(counts.creases)) {
     draw_crease_legend(list, look, counts.creases,
-                       {margin + static_cast<float>(size.width) + margin / 2.0F,
-                        bottom - static_cast<float>(crease_legend_size(look).height)});
+                       {left, bottom - static_cast<float>(crease_legend_size(look).height)});
   }
   ImGui::Render();
 }

@@ -97,18 +97,21 @@ WindowSize size_of(const LegendLook& look, float width, int lines) {
 
 }  // namespace
 
-WindowSize legend_size(const LegendLook& look) {
-  return size_of(look, metrics(look).width, kLines);
+WindowSize legend_size(const LegendLook& look, Tint tint) {
+  return size_of(look, metrics(look).width, kLines + (tint == Tint::kLevel ? 1 : 0));
 }
 
-void draw_legend(ImDrawList& list, const LegendLook& look, const DepthCounts& counts,
+void draw_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,
                  ImVec2 origin) {
-  Lines lines(list, look, origin, legend_size(look));
+  Lines lines(list, look, origin, legend_size(look, counts.tint));
+  if (counts.tint == Tint::kLevel) {
+    lines.title("Faces by level");
+  }
   for (int line = 0; line < kLines; ++line) {
     const bool is_last = line == kLines - 1;
-    std::size_t count = counts[static_cast<std::size_t>(line)];
-    for (std::size_t deeper = kLines; is_last && deeper < counts.size(); ++deeper) {
-      count += counts[deeper];
+    std::size_t count = counts.depths[static_cast<std::size_t>(line)];
+    for (std::size_t deeper = kLines; is_last && deeper < counts.depths.size(); ++deeper) {
+      count += counts.depths[deeper];
     }
     const auto [low, high] = lines.swatch();
     list.AddRectFilled(low, high, swatch_colour(line), 3.0F * look.unit);

@@ -79,7 +79,16 @@ void view_menu(PanelContext& context) {
   items(context, {kShowControl, kShowRefined, kShowBoth});
   ImGui::Separator();
   items(context, {kToggleFaces, kToggleWireframe, kToggleSmooth, kToggleLight, kToggleLabels,
-                  kToggleIllegalMarks, kToggleCreases, kToggleValences});
+                  kToggleIllegalMarks, kToggleCreases, kToggleValences, kToggleNumbers});
+  ImGui::Separator();
+  if (begin_menu(context, "Face colours")) {
+    items(context, {kTintDepth, kTintLevel, kTintNone});
+    ImGui::EndMenu();
+  }
+  if (begin_menu(context, "Material")) {
+    items(context, {kMaterialStudio, kMaterialClay, kMaterialDark, kMaterialShiny});
+    ImGui::EndMenu();
+  }
   ImGui::Separator();
   items(context, {kFrameAll, kFramePainted, kFrameHovered, kZoomIn, kZoomOut});
   ImGui::Separator();

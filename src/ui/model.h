@@ -36,6 +36,14 @@ enum class ShowMode : std::uint8_t {
   kBoth,     ///< The control cage as lines over the refined mesh.
 };
 enum class Theme : std::uint8_t { kDark, kLight };
+/// What colours the faces.
+enum class Tint : std::uint8_t {
+  kDepth,  ///< The depth painted on the control face.
+  kLevel,  ///< How many times the refined face has been subdivided.
+  kNone,   ///< Nothing: the material alone.
+};
+/// What the surface seems to be made of.
+enum class Material : std::uint8_t { kStudio, kClay, kDark, kShiny };
 enum class KeymapId : std::uint8_t {
   kOriginal,   ///< The keys of the program Limn grew from; a plain left drag uses the brush.
   kClassroom,  ///< The keys of a course's mesh viewer; choosing it takes up the orbit tool.
@@ -56,6 +64,9 @@ struct DisplaySettings {
   /// Where no stage of the subdivision is asked for, the refined mesh is that of the painting to the
   /// end.
   bool live = true;
+  bool numbers = false;        ///< Depth or level on faces large enough to hold it.
+  Tint tint = Tint::kDepth;
+  Material material = Material::kStudio;
   std::optional<SchemeSettings> second{};  ///< A uniform scheme beside what the document shows.
 
   [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
@@ -247,9 +258,10 @@ using DepthCounts = std::array<std::size_t, kMaxDepth + 1>;
 /// What the legends count. Those of creases and of irregular vertices are left out where there are
 /// none.
 struct LegendCounts {
-  DepthCounts depths{};
+  DepthCounts depths{};  ///< Where `tint` is kLevel, faces of each level.
   CreaseCounts creases{};
   ValenceCounts valences{};
+  Tint tint = Tint::kDepth;  ///< What colours the faces; with kNone there is no legend of it.
 };
 
 /// Everything the panels read in one frame. They change nothing: what a person wants comes back as
@@ -266,6 +278,7 @@ struct Model {
   NavigationSettings navigation{};
 
   DepthCounts depth_counts{};
+  DepthCounts level_counts{};        ///< Faces of the mesh shown by level, where these colour it.
   CreaseCounts crease_counts{};      ///< Sharp edges and vertices by how sharp they are.
   ValenceCounts valence_counts{};    ///< Irregular vertices of the mesh shown, if they are.
   double dihedral_threshold = 30.0;  ///< Degrees.

@@ -35,8 +35,12 @@ void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& loo
   };
   // A scheme has no use for depths, unless there are some to be kept in mind.
   const bool is_painted = model.depth_counts[0] < model.document.depths.size();
-  if (!model.document.scheme || is_painted) {
-    next(legend_size(look), [&](ImVec2 at) { draw_legend(list, look, model.depth_counts, at); });
+  const Tint tint = model.display.tint;
+  if (tint == Tint::kLevel || (tint == Tint::kDepth && (!model.document.scheme || is_painted))) {
+    LegendCounts counts;
+    counts.tint = tint;
+    counts.depths = tint == Tint::kLevel ? model.level_counts : model.depth_counts;
+    next(legend_size(look, tint), [&](ImVec2 at) { draw_legend(list, look, counts, at); });
   }
   if (model.display.creases && has_creases(model.crease_counts)) {
     next(crease_legend_size(look),

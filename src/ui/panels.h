@@ -57,8 +57,9 @@ struct LegendLook {
   const ThemeColours& colours;
   float unit;
 };
-[[nodiscard]] WindowSize legend_size(const LegendLook& look);
-void draw_legend(ImDrawList& list, const LegendLook& look, const DepthCounts& counts,
+/// Of depths, or under a title of levels.
+[[nodiscard]] WindowSize legend_size(const LegendLook& look, Tint tint);
+void draw_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,
                  ImVec2 origin);
 [[nodiscard]] WindowSize crease_legend_size(const LegendLook& look);
 void draw_crease_legend(ImDrawList& list, const LegendLook& look, const CreaseCounts& counts,

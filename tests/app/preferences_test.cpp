@@ -26,6 +26,8 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereSaved) {
   saved.display.wireframe = !saved.display.wireframe;
   saved.display.smooth = !saved.display.smooth;
   saved.keymap = ui::KeymapId::kClassroom;
+  saved.navigation = {ui::NavigationPreset::kMouseOnly, false};
+  saved.display.material = ui::Material::kDark;
   saved.brush_radius = 37.5;
   saved.dihedral_threshold = 12.25;
   saved.crease_sharpness = 3.75;
@@ -41,6 +43,14 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereSaved) {
   const auto loaded = load_preferences(nested);
   ASSERT_TRUE(loaded.has_value()) << to_string(loaded.error());
   EXPECT_EQ(*loaded, saved);
+}
+
+TEST_F(PreferencesTest, WithoutAWordOnItTheButtonsAreThoseOfTheKeys) {
+  write(R"({"keymap": "classroom"})");
+  const auto loaded = load_preferences(path_);
+  ASSERT_TRUE(loaded.has_value()) << to_string(loaded.error());
+  EXPECT_EQ(loaded->navigation.preset, ui::NavigationPreset::kClassroom);
+  EXPECT_TRUE(loaded->navigation.orbits_around_cursor);
 }
 
 TEST_F(PreferencesTest, MissingFileGivesDefaults) {

@@ -97,6 +97,38 @@ TEST_F(Render, IllegalFacesAndLabelsAsPainted) {
                              "cli_illegal_labels"));
 }
 
+TEST_F(Render, EveryMaterialWithAndWithoutColours) {
+  for (const char* material : {"clay", "dark", "shiny"}) {
+    EXPECT_TRUE(matches_golden(
+        picture({"creature", "--paint", "all:+1", "--paint", "faces=0-150:+1", "--smooth",
+                 "--no-wireframe", "--colours", "none", "--material", material}),
+        std::string("cli_material_") + material));
+  }
+  EXPECT_TRUE(matches_golden(
+      picture({"creature", "--paint", "faces=0-200:=2", "--material", "shiny", "--light-theme"}),
+      "cli_material_painted"));
+}
+
+TEST_F(Render, LevelsColourEachRefinedFaceAndAreCounted) {
+  EXPECT_TRUE(matches_golden(picture({"cube", "--paint", "faces=5:=4", "--view", "iso", "--colours",
+                                      "level", "--numbers", "--legend"}),
+                             "cli_levels"));
+}
+
+TEST_F(Render, NumbersStandOnFacesThatAreLargeEnough) {
+  expect_before_and_after(
+      {"creature", "--paint", "faces=0-200:=2", "--paint", "dihedral>60:+1", "--numbers"},
+      "cli_numbers");
+}
+
+TEST_F(Render, TheGpuRefinesToTheSameColoursOfLevels) {
+  const Words levels = {"cube", "--paint", "faces=5:=3", "--colours", "level", "--legend"};
+  Words on_gpu = levels;
+  on_gpu.insert(on_gpu.end(), {"--refine-on", "gpu"});
+  const auto difference = compare_images(picture(levels), picture(on_gpu));
+  EXPECT_LT(difference.pixels, 200U) << "rounding at edges alone";
+}
+
 /// One mesh with a boundary, made to fit each.
 TEST_F(Render, EveryScheme) {
   for (const char* scheme : {"linear", "catmull-clark", "loop", "butterfly", "kobbelt", "sqrt3",

@@ -387,13 +387,15 @@ TEST(Panels, EveryActionIsReachable) {
     screen.key(Key::kEscape);
     screen.settle();
   }
-  for (const auto& [menu, sub_menu] : {std::pair("menu: Mesh", "menu: Painted faces"),
-                                       std::pair("menu: Mesh", "menu: Illegal vertices"),
-                                       std::pair("menu: Mesh", "menu: Faces that are not quads"),
-                                       std::pair("menu: Mesh", "menu: Boundary corners"),
-                                       std::pair("menu: Mesh", "menu: Vertices"),
-                                       std::pair("menu: Mesh", "menu: Texture coordinates"),
-                                       std::pair("menu: View", "menu: Navigation")}) {
+  for (const auto& [menu, sub_menu] :
+       {std::pair("menu: Mesh", "menu: Painted faces"),
+        std::pair("menu: Mesh", "menu: Illegal vertices"),
+        std::pair("menu: Mesh", "menu: Faces that are not quads"),
+        std::pair("menu: Mesh", "menu: Boundary corners"),
+        std::pair("menu: Mesh", "menu: Vertices"),
+        std::pair("menu: Mesh", "menu: Texture coordinates"),
+        std::pair("menu: View", "menu: Face colours"), std::pair("menu: View", "menu: Material"),
+        std::pair("menu: View", "menu: Navigation")}) {
     screen.click(menu);
     screen.click(sub_menu);
     screen.settle();

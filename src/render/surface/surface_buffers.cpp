@@ -156,6 +156,18 @@ void SurfaceBuffers::draw() const {
   glMultiDrawArraysIndirect(GL_TRIANGLES, nullptr, group_count_, 0);
 }
 
+void SurfaceBuffers::draw_vertices(std::size_t count) const {
+  if (group_count_ == 0 || count == 0) {
+    return;
+  }
+  positions_.bind_storage(0);
+  corners_.bind_storage(1);
+  groups_.bind_storage(2);
+  faces_.bind_storage(3);
+  no_attributes_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(count));
+}
+
 void SurfaceBuffers::draw_edges() const {
   if (edge_count_ == 0) {
     return;

@@ -62,6 +62,11 @@ class SurfaceBuffers {
   /// that widen lines (edges.vert.glsl).
   void draw_edges() const;
 
+  /// Binds slots 0-3 of surface.glsl for a program that looks faces up by their number, and draws
+  /// so many vertices with it.
+  void draw_vertices(std::size_t count) const;
+  [[nodiscard]] int group_count() const noexcept { return group_count_; }
+
   /// Binds slot 3 of surface.glsl alone: which control face each drawn face lies in.
   void bind_face_records() const { faces_.bind_storage(3); }
   /// The same on the CPU, one entry for each drawn face; empty where the surface was made on the
