@@ -11,6 +11,9 @@
 #include "app/fonts.h"
 #include "app/status_file.h"
 #include "app/user_folders.h"
+#include "limn/contract.h"
+#include "limn/document/memory_budget.h"
+#include "render/context/load_gl.h"
 #include "render/environment_error.h"
 
 namespace limn::app {
@@ -25,17 +28,46 @@ Screen screen_of(const Window& window) {
 
 }  // namespace
 
-Application::Application(const Preferences& preferences, Project project)
+Application::Application(const Preferences& preferences, Project project, Recorder* recorder)
     : window_(std::make_unique<Window>(WindowSettings{
           .title = "Limn", .size = preferences.window, .is_maximised = preferences.is_maximised})),
+      recorder_(recorder),
       workbench_(
           {.wake = [] { Window::post_wake(); },
            .fonts = load_fonts(),
-           .read_clipboard = [this] { return window_->clipboard(); },
+           .read_clipboard =
+               [this] {
+                 const std::string text = window_->clipboard();
+                 return recorder_ != nullptr ? recorder_->read_clipboard(text) : text;
+               },
            .write_clipboard = [this](const std::string& text) { window_->set_clipboard(text); },
-           .recovery_folder = recovery_folder()},
+           .recovery_folder = recovery_folder(),
+           .files = recorder,
+           .arrivals = recorder},
           preferences, std::move(project), screen_of(*window_)) {
   workbench_.build_graphics();
+  listen();
+}
+
+void Application::listen() {
+  if (recorder_ != nullptr) {
+    window_->input().set_listener([this](const ui::InputEvent& event) { recorder_->add(event); });
+  }
+}
+
+void Application::begin_recording(std::string input, std::string project) {
+  LIMN_EXPECTS(recorder_ != nullptr);
+  // What the machine can spare changes all the time; in a recording it is what it was.
+  const std::uint64_t memory = memory_budget();
+  workbench_.session().set_memory_budget(memory);
+  recorder_->begin({.program = "limn " LIMN_VERSION,
+                    .renderer = render::renderer_text(),
+                    .fonts = checksum_of(load_fonts()),
+                    .input = std::move(input),
+                    .project = std::move(project),
+                    .screen = screen(),
+                    .preferences = workbench_.preferences(),
+                    .memory_budget = memory});
 }
 
 Screen Application::screen() const {
@@ -46,8 +78,15 @@ void Application::run() {
   while (!workbench_.session().wants_to_quit()) {
     wait();
     try {
-      if (take_news() && !window_->framebuffer_size().is_empty()) {
-        frame();
+      const double now = Window::now();
+      if (take_news(now) && !window_->framebuffer_size().is_empty()) {
+        frame(now);
+      }
+      if (recorder_ != nullptr) {
+        recorder_->end_turn(workbench_);
+        if (const auto error = recorder_->take_error()) {
+          toast(ui::Toast::Kind::kProblem, to_string(*error));
+        }
       }
       if (window_->is_context_lost()) {
         rebuild_graphics("The graphics driver was reset. Everything drawn was built anew.");
@@ -61,6 +100,9 @@ void Application::run() {
     if (!status_file_.empty() && !needs_another_frame_ && !window_->input().has_pending()) {
       write_status();
     }
+  }
+  if (recorder_ != nullptr) {
+    recorder_->end(workbench_);
   }
 }
 
@@ -79,6 +121,7 @@ void Application::rebuild_graphics(std::string reason) {
   window_ = std::make_unique<Window>(
       WindowSettings{.title = "Limn", .size = seen.window, .is_maximised = seen.is_maximised});
   workbench_.build_graphics();
+  listen();
   rebuilt_at_ = Window::now();
   needs_another_frame_ = true;
   toast(ui::Toast::Kind::kProblem, std::move(reason));
@@ -100,11 +143,13 @@ void Application::wait() {
   }
 }
 
-bool Application::take_news() {
-  const double now = Window::now();
-  bool is_news = workbench_.take_news({window_->take_dropped_files(), window_->take_close_request(),
-                                       window_->take_moved_under_alt()},
-                                      now);
+bool Application::take_news(double now) {
+  const Workbench::News news{window_->take_dropped_files(), window_->take_close_request(),
+                             window_->take_moved_under_alt()};
+  if (recorder_ != nullptr) {
+    recorder_->begin_turn(news, now);
+  }
+  bool is_news = workbench_.take_news(news, now);
   is_news |= window_->take_damage();
   is_news |= std::exchange(needs_another_frame_, false);
   is_news |= window_->input().has_pending();
@@ -112,9 +157,13 @@ bool Application::take_news() {
   return is_news;
 }
 
-void Application::frame() {
-  const double now = last_frame_ = Window::now();
-  const Workbench::Frame shown = workbench_.frame(window_->input().next_frame(), screen(), now);
+void Application::frame(double now) {
+  last_frame_ = now;
+  const Screen shown_on = screen();
+  const Workbench::Frame shown = workbench_.frame(window_->input().next_frame(), shown_on, now);
+  if (recorder_ != nullptr) {
+    recorder_->add_frame(shown_on, shown);
+  }
   window_->set_title(workbench_.session().title());
   window_->set_cursor(shown.cursor);
   window_->swap_buffers();

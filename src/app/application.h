@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/preferences.h"
+#include "app/recording/recorder.h"
 #include "app/window.h"
 #include "app/workbench.h"
 #include "limn/document/project_file.h"
@@ -17,8 +18,9 @@ namespace limn::app {
 /// something new to see.
 class Application {
  public:
-  /// Opens the window. Throws render::EnvironmentError.
-  Application(const Preferences& preferences, Project project);
+  /// Opens the window. `recorder` may be null; it must outlive this. Throws
+  /// render::EnvironmentError.
+  Application(const Preferences& preferences, Project project, Recorder* recorder = nullptr);
 
   /// Writes the state as JSON here whenever it comes to rest (status_file.h).
   void set_status_file(std::filesystem::path path) { status_file_ = std::move(path); }
@@ -26,6 +28,9 @@ class Application {
   void toast(ui::Toast::Kind kind, std::string text) {
     workbench_.session().toast(kind, std::move(text));
   }
+
+  /// Begins the recording: the head says how the project was come by. Before `run`.
+  void begin_recording(std::string input, std::string project);
 
   /// Runs until the person quits. Throws render::EnvironmentError.
   void run();
@@ -36,9 +41,11 @@ class Application {
  private:
   /// Waits for input, time or news from other threads, as long as there is nothing to draw.
   void wait();
+  /// Has the recorder hear of every event.
+  void listen();
   /// Takes in what has happened; true where a frame must be drawn.
-  [[nodiscard]] bool take_news();
-  void frame();
+  [[nodiscard]] bool take_news(double now);
+  void frame(double now);
   void write_status() const;
   /// Opens the window again, with everything that is drawn from what the session has, and says why.
   /// Throws render::EnvironmentError where that happens again and again.
@@ -46,6 +53,7 @@ class Application {
   [[nodiscard]] Screen screen() const;
 
   std::unique_ptr<Window> window_;  // First: its context goes after everything drawn with it.
+  Recorder* recorder_;
   Workbench workbench_;
 
   double last_frame_ = 0.0;  ///< When it was, in seconds.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -161,20 +162,30 @@ std::filesystem::path preferences_path() {
   return folder.empty() ? folder : folder / "preferences.json";
 }
 
+std::string preferences_text(const Preferences& preferences) {
+  // Paths are bytes, not necessarily UTF-8; those that are not lose their odd characters here.
+  return to_json(preferences).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<Preferences> parse_preferences(std::string_view text, const std::string& source) {
+  try {
+    return from_json(Json::parse(text));
+  } catch (const Json::exception& error) {
+    return fail(
+        ErrorKind::kBadInput,
+        fmt::format("The preferences cannot be read ({}); the defaults are used.", error.what()),
+        source);
+  }
+}
+
 Result<Preferences> load_preferences(const std::filesystem::path& path) {
   std::error_code ignored;
   if (path.empty() || !std::filesystem::exists(path, ignored)) {
     return Preferences{};
   }
-  try {
-    std::ifstream file(path);
-    return from_json(Json::parse(file));
-  } catch (const Json::exception& error) {
-    return fail(
-        ErrorKind::kBadInput,
-        fmt::format("The preferences cannot be read ({}); the defaults are used.", error.what()),
-        path.string());
-  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  return parse_preferences(text, path.string());
 }
 
 Result<void> save_preferences(const std::filesystem::path& path, const Preferences& preferences) {
@@ -185,8 +196,7 @@ Result<void> save_preferences(const std::filesystem::path& path, const Preferenc
                 fmt::format("The folder for preferences cannot be made: {}.", error.message()),
                 path.parent_path().string());
   }
-  // Paths are bytes, not necessarily UTF-8; those that are not lose their odd characters here.
-  const std::string text = to_json(preferences).dump(2, ' ', false, Json::error_handler_t::replace);
+  const std::string text = preferences_text(preferences);
   return write_file_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
 }
 

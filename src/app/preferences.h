@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/live_refinement.h"
@@ -35,6 +36,12 @@ inline constexpr std::size_t kMostRecentFiles = 10;
 
 /// Where they are kept: `preferences.json` in `config_folder()`. Empty where there is no folder.
 [[nodiscard]] std::filesystem::path preferences_path();
+
+/// The text of a preferences file, and what is read from it; as `save_preferences` and
+/// `load_preferences`. `source` is for messages.
+[[nodiscard]] std::string preferences_text(const Preferences& preferences);
+[[nodiscard]] Result<Preferences> parse_preferences(std::string_view text,
+                                                    const std::string& source);
 
 /// Reads preferences; numbers out of range are brought into it, what is missing stays as default. A
 /// file that is not there gives the defaults.

@@ -1,5 +1,7 @@
 #include "app/run_window.h"
 
+#include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -7,9 +9,9 @@
 
 #include "app/application.h"
 #include "app/preferences.h"
+#include "app/recording/recorder.h"
 #include "app/recovery_store.h"
 #include "app/user_folders.h"
-#include "limn/document/open.h"
 #include "limn/mesh/bundled.h"
 
 namespace limn::app {
@@ -24,29 +26,28 @@ Preferences for_classroom(Preferences preferences) {
   return preferences;
 }
 
-}  // namespace
-
-Result<void> run_window(const WindowOptions& options) {
-  // Read first: a bad file is told on the terminal it was named on.
-  auto project = open_document(options.input.empty() ? std::string(kDefaultMesh) : options.input);
-  if (!project) {
-    return tl::unexpected(std::move(project.error()));
-  }
-  return run_window(*std::move(project), options);
+std::string input_of(const WindowOptions& options) {
+  return options.input.empty() ? std::string(kDefaultMesh) : options.input;
 }
 
-Result<void> run_window(Project project, const WindowOptions& options) {
+Result<void> run(Project project, const WindowOptions& options, Recorder* recorder,
+                 std::string project_text) {
   const std::filesystem::path kept = preferences_path();
   const auto loaded = load_preferences(kept);
   const Preferences preferences = loaded.value_or(Preferences{});
 
   Application application(options.is_classroom ? for_classroom(preferences) : preferences,
-                          std::move(project));
+                          std::move(project), recorder);
   application.set_status_file(options.status_file);
-  if (!loaded) {
-    application.toast(ui::Toast::Kind::kProblem, to_string(loaded.error()));
+  if (recorder != nullptr) {
+    application.begin_recording(input_of(options), std::move(project_text));
+  } else {
+    // What earlier runs have left is not this recording's; the next run asks.
+    application.offer(find_lost_work(recovery_folder()));
+    if (!loaded) {
+      application.toast(ui::Toast::Kind::kProblem, to_string(loaded.error()));
+    }
   }
-  application.offer(find_lost_work(recovery_folder()));
   application.run();
 
   Preferences now = application.preferences();
@@ -60,6 +61,41 @@ Result<void> run_window(Project project, const WindowOptions& options) {
     }
   }
   return {};
+}
+
+/// Null where nothing is to be recorded.
+Result<std::unique_ptr<Recorder>> recorder_for(const WindowOptions& options) {
+  return options.record.empty() ? nullptr : Recorder::create(options.record);
+}
+
+}  // namespace
+
+Result<void> run_window(const WindowOptions& options) {
+  auto recorder = recorder_for(options);
+  if (!recorder) {
+    return tl::unexpected(std::move(recorder.error()));
+  }
+  FileAccess& files = *recorder != nullptr ? static_cast<FileAccess&>(**recorder) : disk();
+  // Read first: a bad file is told on the terminal it was named on.
+  auto project = files.open(input_of(options));
+  if (!project) {
+    return tl::unexpected(std::move(project.error()));
+  }
+  return run(*std::move(project), options, recorder->get(), {});
+}
+
+Result<void> run_window(Project project, const WindowOptions& options) {
+  auto recorder = recorder_for(options);
+  if (!recorder) {
+    return tl::unexpected(std::move(recorder.error()));
+  }
+  std::string text;
+  if (*recorder != nullptr) {
+    std::ostringstream out;
+    write_project(out, project.document, project.view);
+    text = std::move(out).str();
+  }
+  return run(std::move(project), options, recorder->get(), std::move(text));
 }
 
 }  // namespace limn::app

@@ -17,6 +17,9 @@ struct WindowOptions {
   /// Where the state of the window is written as JSON whenever it comes to rest, for tests that
   /// drive it from outside; empty: nowhere.
   std::string status_file;
+  /// Where everything that is done is written down, to be played back by `limn replay`; empty:
+  /// nowhere.
+  std::string record;
   /// For a course: its keys, and the panel of schemes unfolded. Neither is kept for the next run.
   bool is_classroom = false;
 };

@@ -62,6 +62,9 @@ class ViewportScene {
     second_target_.resolve_to(framebuffer, lower_left);
   }
 
+  /// The image that was drawn last; of the first half where there are two.
+  [[nodiscard]] render::Image picture() const { return target_.read(); }
+
   [[nodiscard]] std::optional<render::PickedFace> pick(const Session& session,
                                                        render::FramebufferSize size,
                                                        render::FramebufferPoint point);

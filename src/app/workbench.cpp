@@ -120,7 +120,7 @@ Workbench::Frame Workbench::frame(const ui::InputFrame& input, const Screen& scr
   if (adjust_) {
     adjust_(model);
   }
-  const ui::GuiFrame gui = gui_.frame(model, input, screen.window);
+  ui::GuiFrame gui = gui_.frame(model, input, screen.window);
 
   place_ = place_of(gui.viewport, screen.scale.density);
   const auto before = session_.document().revisions;
@@ -135,15 +135,17 @@ Workbench::Frame Workbench::frame(const ui::InputFrame& input, const Screen& scr
   sync_scene();
   draw(screen, framebuffer);
 
-  Frame frame{gui.cursor, gui.wants_text, gui.needs_another_frame};
+  const bool is_asked = !gui.actions.empty();
+  Frame frame{gui.cursor, gui.wants_text, gui.needs_another_frame, std::move(gui.actions)};
   if (const auto path = session_.take_screenshot_request()) {
     session_.write_screenshot(*path, read_framebuffer(screen.framebuffer, framebuffer));
     frame.needs_another_frame = true;
+    frame.took_picture = true;
   }
   // The panels have shown the state before these actions.
   const auto& after = session_.document().revisions;
   frame.needs_another_frame |= before.control != after.control || before.depths != after.depths ||
-                               before.stage != after.stage || !gui.actions.empty();
+                               before.stage != after.stage || is_asked;
   return frame;
 }
 

@@ -75,6 +75,8 @@ class Workbench {
     ui::CursorShape cursor = ui::CursorShape::kArrow;
     bool wants_text = false;           ///< A text field has the keyboard.
     bool needs_another_frame = false;  ///< Not settled: another one at once.
+    std::vector<ui::Action> actions;   ///< Asked for by keys and controls.
+    bool took_picture = false;         ///< A screenshot was written.
   };
   /// Turns one frame's input into actions and strokes and draws what came of it into a framebuffer
   /// (0: the window's) of the screen's size. Throws render::EnvironmentError.
@@ -89,6 +91,8 @@ class Workbench {
   [[nodiscard]] ui::Gui& gui() noexcept { return gui_; }
   [[nodiscard]] const ui::Gui& gui() const noexcept { return gui_; }
   [[nodiscard]] ViewportScene& scene() noexcept { return *scene_; }
+  /// The pixels of the viewport's first half as they were drawn last, without what lies over them.
+  [[nodiscard]] render::Image viewport_picture() const { return scene_->picture(); }
   /// Of the last frame.
   [[nodiscard]] const ViewportPlace& place() const noexcept { return place_; }
   /// What is to be kept for the next run; size and state of the window are the owner's to add.

@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   add_split_and_flip_command(program, work);
   add_reattach_command(program, work);
   add_recover_command(program, work);
+  add_replay_command(program, work);
   add_classroom_command(program, work);
 
   try {

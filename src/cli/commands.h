@@ -26,6 +26,7 @@ void add_symmetrise_command(CLI::App& program, Work& work);
 void add_split_and_flip_command(CLI::App& program, Work& work);
 void add_reattach_command(CLI::App& program, Work& work);
 void add_recover_command(CLI::App& program, Work& work);
+void add_replay_command(CLI::App& program, Work& work);
 void add_classroom_command(CLI::App& program, Work& work);
 
 }  // namespace limn::cli

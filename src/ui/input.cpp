@@ -17,6 +17,9 @@ std::size_t index(Key key) {
 }  // namespace
 
 void InputQueue::push(const InputEvent& event) {
+  if (listener_) {
+    listener_(event);
+  }
   if (!std::holds_alternative<FocusLost>(event.what)) {
     events_.push_back(event);
     return;

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -128,6 +130,10 @@ struct InputFrame {
 /// window callbacks come on the main thread.
 class InputQueue {
  public:
+  /// Hears of every event as it comes. One at a time; empty: nobody.
+  void set_listener(std::function<void(const InputEvent&)> listener) {
+    listener_ = std::move(listener);
+  }
   void push(const InputEvent& event);
 
   /// Takes the events of the next frame. With nothing pending: the state as it was, no changes.
@@ -139,6 +145,7 @@ class InputQueue {
  private:
   void take(const InputEvent& event, InputFrame& frame, std::bitset<kKeyCount>& changed_keys);
 
+  std::function<void(const InputEvent&)> listener_;
   std::deque<InputEvent> events_;
   double time_ = 0.0;
   Modifiers modifiers_;

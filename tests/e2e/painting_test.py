@@ -7,7 +7,7 @@ import json
 import os
 import sys
 
-from program import Display, Folder, Program, count_in
+from program import Display, Folder, Program, check_replay, count_in
 from scene import FaceImage, dihedral_angles, edge_angles, read_obj, read_png
 
 # The palette of the depths, as published: 0 clay, then lighter to darker.
@@ -169,7 +169,8 @@ def main():
     positions, faces = read_obj(mesh)
     display = Display()
     with Folder() as folder:
-        program = Program(executable, [mesh], display, folder)
+        recording = os.path.join(folder, "session.limnrec")
+        program = Program(executable, [mesh, "--record", recording], display, folder)
         try:
             state = program.wait_for("the mesh is open and its labels are known",
                                      lambda s: not s["busy"])
@@ -220,6 +221,7 @@ def main():
             code = program.wait_for_exit()
             assert code == 0, f"it ended with {code}:\n{program.log()}"
             assert "Sanitizer" not in program.log(), program.log()
+            check_replay(executable, recording, folder)
         finally:
             program.kill()
             display.close()

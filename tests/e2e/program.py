@@ -145,6 +145,17 @@ class Program:
         send_delete_window(self.environment["DISPLAY"], int(window))
 
 
+def check_replay(executable, recording, folder):
+    """What was recorded gives the same documents and pictures without a window."""
+    run = subprocess.run([executable, "replay", recording, "--json"], env=clean_environment(folder),
+                         capture_output=True, text=True, timeout=PATIENCE)
+    assert run.returncode == 0, run.stderr
+    assert "Sanitizer" not in run.stderr, run.stderr
+    played = json.loads(run.stdout)
+    assert played["is_whole"] and played["actions"] > 0, played
+    assert played["documents_compared"] > 5 and played["pictures_compared"] > 0, played
+
+
 def clean_environment(folder):
     """This process's environment without a display and without the person's own preferences."""
     kept = {k: v for k, v in os.environ.items()

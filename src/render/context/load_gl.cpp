@@ -21,6 +21,10 @@ constexpr const char* kAdvice =
 
 }  // namespace
 
+std::string renderer_text() {
+  return text_of(GL_RENDERER) + ", " + text_of(GL_VERSION);
+}
+
 GlInfo load_gl(GlLoader loader) {
   if (gladLoadGL(loader) == 0) {
     throw EnvironmentError(fmt::format(

@@ -17,6 +17,9 @@ struct GlInfo {
   int minor = 0;
 };
 
+/// Renderer and version of the current context on one line, for people and to tell drivers apart.
+[[nodiscard]] std::string renderer_text();
+
 /// Loads the functions of OpenGL for the current context and checks that it is what Limn draws
 /// with: 4.5 core or newer, with GL_ARB_shader_draw_parameters.
 /// Throws EnvironmentError that names the renderer and version found, and what to do.
