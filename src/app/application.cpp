@@ -167,6 +167,7 @@ void Application::frame(double now) {
   window_->set_title(workbench_.session().title());
   window_->set_cursor(shown.cursor);
   window_->swap_buffers();
+  workbench_.note_shown(Window::now());
   needs_another_frame_ |= shown.needs_another_frame;
   wants_text_ = shown.wants_text;
 }

@@ -93,6 +93,9 @@ bool LiveRefinement::update() {
   }
   if (result->mesh) {
     set_refined(result);
+    if (result->serial == serial_) {
+      refined_depths_ = submitted_.depths;
+    }
   } else if (result->is_final && !result->is_over_budget) {
     set_refined(nullptr);
   }
@@ -103,6 +106,7 @@ void LiveRefinement::set_refined(std::shared_ptr<const JobResult> result) {
   if (refined_ != result) {
     refined_ = std::move(result);
     ++refined_revision_;
+    refined_depths_ = 0;
   }
 }
 

@@ -56,6 +56,8 @@ class LiveRefinement {
   [[nodiscard]] const JobResult* refined() const noexcept { return refined_.get(); }
   /// Counts up with every new refined mesh or its going away.
   [[nodiscard]] std::uint64_t refined_revision() const noexcept { return refined_revision_; }
+  /// `Revisions::depths` of the painting that `refined` was made from; 0 where there is none.
+  [[nodiscard]] std::uint64_t refined_depths() const noexcept { return refined_depths_; }
   /// Counts up with new labels.
   [[nodiscard]] std::uint64_t labels_revision() const noexcept { return labels_revision_; }
 
@@ -97,6 +99,7 @@ class LiveRefinement {
   std::shared_ptr<const JobResult> newest_;
   std::shared_ptr<const JobResult> refined_;
   std::uint64_t refined_revision_ = 0;
+  std::uint64_t refined_depths_ = 0;
   std::uint64_t labels_revision_ = 0;
   bool is_silenced_ = false;  ///< The question was declined.
 };

@@ -63,6 +63,8 @@ class Session {
   /// Lets time pass and takes in what other threads have done. `now` in seconds, never falling.
   /// Returns true where there is something new to show.
   bool update(double now);
+  /// Has workers begin with what has changed since `update`, while the frame is drawn.
+  void begin_refining() { refinement_.follow(document_, wish()); }
   /// When `update` next has something to do of its own accord; infinity where it waits for others.
   [[nodiscard]] double next_update() const noexcept;
 

@@ -115,6 +115,7 @@ Workbench::Frame Workbench::frame(const ui::InputFrame& input, const Screen& scr
 
   ui::Model model = session_.model();
   model.frame_seconds = now - last_frame_;
+  model.stroke_seconds = stroke_seconds_;
   last_frame_ = now;
   model.mend_marker = mend_marker(model);
   if (adjust_) {
@@ -132,6 +133,13 @@ Workbench::Frame Workbench::frame(const ui::InputFrame& input, const Screen& scr
   sync_scene();
   ScenePicker picker(*scene_, session_, place_.size);
   controller_.update(gui.viewport_input, place_, session_, picker);
+  session_.begin_refining();
+  if (session_.is_stroking() && session_.document().revisions.depths != newest_.depths) {
+    newest_ = {session_.document().revisions.depths, std::min(input.time, now)};
+    if (!awaited_) {
+      awaited_ = newest_;
+    }
+  }
   sync_scene();
   draw(screen, framebuffer);
 
@@ -147,6 +155,15 @@ Workbench::Frame Workbench::frame(const ui::InputFrame& input, const Screen& scr
   frame.needs_another_frame |= before.control != after.control || before.depths != after.depths ||
                                before.stage != after.stage || is_asked;
   return frame;
+}
+
+void Workbench::note_shown(double now) {
+  const std::uint64_t shown = session_.shows_refined() ? session_.refinement().refined_depths() : 0;
+  if (!awaited_ || shown < awaited_->depths) {
+    return;
+  }
+  stroke_seconds_ = now - awaited_->time;
+  awaited_ = shown < newest_.depths ? std::optional(newest_) : std::nullopt;
 }
 
 void Workbench::sync_scene() {

@@ -83,6 +83,12 @@ class Workbench {
   Frame frame(const ui::InputFrame& input, const Screen& screen, double now,
               GLuint framebuffer = 0);
 
+  /// The last frame is on the screen, at this time.
+  void note_shown(double now);
+  /// From the last move of the brush to the picture of the refined mesh that followed, in seconds;
+  /// nothing before the first.
+  [[nodiscard]] std::optional<double> stroke_seconds() const noexcept { return stroke_seconds_; }
+
   /// Changes what the panels are told, so that nothing in a picture depends on the machine.
   void adjust_model(std::function<void(ui::Model&)> adjust) { adjust_ = std::move(adjust); }
 
@@ -113,8 +119,16 @@ class Workbench {
   std::unique_ptr<ViewportScene> scene_;
 
   std::function<void(ui::Model&)> adjust_;
-  ViewportPlace place_;       ///< Of the last frame.
-  double last_frame_ = 0.0;   ///< When it was, in seconds.
+  ViewportPlace place_;      ///< Of the last frame.
+  double last_frame_ = 0.0;  ///< When it was, in seconds.
+  /// A painting that is not shown refined yet, and when it was painted.
+  struct Painted {
+    std::uint64_t depths = 0;
+    double time = 0.0;
+  };
+  std::optional<Painted> awaited_;  ///< The first of those.
+  Painted newest_;
+  std::optional<double> stroke_seconds_;
   std::string sync_problem_;  ///< Said once.
 };
 

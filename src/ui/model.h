@@ -297,6 +297,8 @@ struct Model {
   std::optional<WindowPoint> mend_marker{};  ///< Where it shows, if it does.
   bool is_stroking = false;                  ///< A brush stroke is going on.
   double frame_seconds = 0.0;
+  /// From the last stroke of the mouse to the picture of what was refined after it.
+  std::optional<double> stroke_seconds{};
 
   std::span<const std::string> bundled_meshes{};
   std::span<const std::string> recent_files{};  ///< Paths, newest first.

@@ -100,6 +100,10 @@ void draw_numbers_section(PanelContext& context) {
   sub_heading(context, "Program");
   value_row(context, {"Frame", seconds_text(context.model.frame_seconds),
                       "Time between the last two pictures."});
+  value_row(context, {"Stroke to picture",
+                      context.model.stroke_seconds ? seconds_text(*context.model.stroke_seconds)
+                                                   : std::string(kNothing),
+                      "From a move of the brush to the refined mesh that follows from it."});
   value_row(context, {"Undo memory", bytes_text(context.model.history.bytes),
                       "What the history of changes keeps."});
   ImGui::PopStyleVar();
