@@ -13,6 +13,7 @@
 
 #include "app/user_folders.h"
 #include "limn/files/atomic_file.h"
+#include "limn/painting/face_regions.h"
 
 namespace limn::app {
 namespace {
@@ -68,6 +69,20 @@ ui::Material material_named(std::string_view name) {
                                        : static_cast<ui::Material>(found - kMaterialNames.begin());
 }
 
+void read_brush(const Reader& root, ui::BrushSettings& brush) {
+  root.read("brush_radius", brush.radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
+  const Reader settings = root.child("brush");
+  settings.read("sets_depth", brush.sets_depth);
+  settings.read("target_depth", brush.target_depth);
+  brush.target_depth = std::clamp(brush.target_depth, 0, kMaxDepth);
+  settings.read("fill_angle", brush.fill_angle, 0.0, kMostFillAngle);
+  settings.read("through", brush.goes_through);
+  settings.read("shift_draws_lines", brush.shift_draws_lines);
+  settings.read("mirror_x", brush.mirror.x);
+  settings.read("mirror_y", brush.mirror.y);
+  settings.read("mirror_z", brush.mirror.z);
+}
+
 Preferences from_json(const Json& json) {
   Preferences preferences;
   const Reader root(json);
@@ -94,7 +109,7 @@ Preferences from_json(const Json& json) {
   display.read("material", material);
   preferences.display.material = material_named(material);
 
-  root.read("brush_radius", preferences.brush_radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
+  read_brush(root, preferences.brush);
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
   root.read("crease_sharpness", preferences.crease_sharpness, 0.0, 10.0);
   root.read("face_budget", preferences.face_budget);
@@ -135,7 +150,16 @@ Json to_json(const Preferences& preferences) {
         {"creases", display.creases},
         {"live", display.live},
         {"material", kMaterialNames.at(static_cast<std::size_t>(display.material))}}},
-      {"brush_radius", preferences.brush_radius},
+      {"brush_radius", preferences.brush.radius},
+      {"brush",
+       {{"sets_depth", preferences.brush.sets_depth},
+        {"target_depth", preferences.brush.target_depth},
+        {"fill_angle", preferences.brush.fill_angle},
+        {"through", preferences.brush.goes_through},
+        {"shift_draws_lines", preferences.brush.shift_draws_lines},
+        {"mirror_x", preferences.brush.mirror.x},
+        {"mirror_y", preferences.brush.mirror.y},
+        {"mirror_z", preferences.brush.mirror.z}}},
       {"dihedral_threshold", preferences.dihedral_threshold},
       {"crease_sharpness", preferences.crease_sharpness},
       {"face_budget", preferences.face_budget},

@@ -20,7 +20,7 @@ struct Preferences {
   ui::DisplaySettings display;
   ui::KeymapId keymap = ui::KeymapId::kOriginal;
   ui::NavigationSettings navigation;
-  double brush_radius = ui::BrushSettings{}.radius;
+  ui::BrushSettings brush;  ///< All but the tool.
   double dihedral_threshold = 30.0;
   double crease_sharpness = 2.0;
   std::uint64_t face_budget = LiveRefinement::kDefaultBudget;

@@ -1,5 +1,5 @@
 // Dispatch, time and the model. The actions themselves are in session_files.cpp,
-// session_painting.cpp, session_schemes.cpp and session_view.cpp.
+// session_painting.cpp, session_tools.cpp, session_schemes.cpp and session_view.cpp.
 #include "app/session.h"
 
 #include <algorithm>
@@ -25,6 +25,7 @@ Session::Session(SessionHost host)
       second_(host_.wake, "second", host_.arrivals),
       sphere_(host_.wake, host_.arrivals),
       exports_(host_.wake, files_, host_.arrivals),
+      forecast_(host_.wake, host_.arrivals),
       autosave_(host_.recovery_folder, host_.wake) {
   LIMN_EXPECTS(host_.wake);
   for (const BundledMesh& mesh : bundled_meshes()) {
@@ -65,6 +66,7 @@ bool Session::update(double now) {
   bool has_news = refinement_.update();
   has_news |= second_.update();
   has_news |= sphere_.update();
+  has_news |= forecast_.update();
   if (has_news) {
     update_facts();
   }
@@ -150,12 +152,12 @@ void Session::show_error(std::string title, Error error) {
   modal_ = ui::ErrorDialog{std::move(title), std::move(error)};
 }
 
-void Session::restore(const ui::DisplaySettings& display, ui::KeymapId keymap, double brush_radius,
-                      double dihedral_threshold) {
+void Session::restore(const ui::DisplaySettings& display, ui::KeymapId keymap,
+                      const ui::BrushSettings& brush, double dihedral_threshold) {
   display_ = display;
   keymap_ = keymap;
+  brush_ = brush;
   brush_.tool = keymap == ui::KeymapId::kClassroom ? ui::Tool::kOrbit : ui::Tool::kPaint;
-  brush_.radius = brush_radius;
   dihedral_threshold_ = dihedral_threshold;
   update_facts();
 }
@@ -322,6 +324,8 @@ ui::Model Session::model() const {
       .hover_edge = hover_edge,
       .mend_focus = mend_focus_,
       .is_stroking = is_stroking(),
+      .forecast = forecast(),
+      .lone_faces = lone_faces_,
       .frame_seconds = 0.0,
       .bundled_meshes = bundled_,
       .recent_files = recent_,

@@ -18,6 +18,8 @@
 #include "app/file_access.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
+#include "app/paint_tools/forecast_job.h"
+#include "app/paint_tools/mesh_aids.h"
 #include "app/scheme_facts.h"
 #include "app/sphere_job.h"
 #include "app/toasts.h"
@@ -25,7 +27,7 @@
 #include "limn/document/history.h"
 #include "limn/document/project_file.h"
 #include "limn/painting/crease_rule.h"
-#include "limn/painting/selection.h"
+#include "limn/painting/paint_rule.h"
 #include "limn/painting/stroke.h"
 #include "ui/action.h"
 #include "ui/model.h"
@@ -114,8 +116,8 @@ class Session {
   void finish_refinement();
 
   /// Chosen in an earlier run.
-  void restore(const ui::DisplaySettings& display, ui::KeymapId keymap, double brush_radius,
-               double dihedral_threshold);
+  void restore(const ui::DisplaySettings& display, ui::KeymapId keymap,
+               const ui::BrushSettings& brush, double dihedral_threshold);
   void set_navigation(const ui::NavigationSettings& navigation) { navigation_ = navigation; }
   void set_crease_sharpness(double sharpness) noexcept { crease_sharpness_ = sharpness; }
   void set_recent_files(std::vector<std::string> files) { recent_ = std::move(files); }
@@ -136,13 +138,25 @@ class Session {
   void set_hover_edge(std::optional<std::uint32_t> edge) noexcept { hover_edge_ = edge; }
   [[nodiscard]] std::optional<std::uint32_t> hover_edge() const noexcept { return hover_edge_; }
 
-  /// A brush stroke: painted live, one command when it ends.
-  void begin_stroke(DepthChange change);
-  /// Returns true where a depth changed.
+  /// A stroke: painted live, one command when it ends, "paint 12 faces".
+  void begin_stroke(DepthChange change, std::string name = "paint");
+  /// Paints faces and, where the brush mirrors, their images. Returns true where a depth changed.
   bool touch(std::span<const std::uint32_t> faces);
   void end_stroke();
   void give_up_stroke();
   [[nodiscard]] bool is_stroking() const noexcept { return stroke_.has_value(); }
+
+  /// What the fill in hand takes with this face. session_tools.cpp, as what follows it.
+  [[nodiscard]] std::vector<std::uint32_t> fill_region(std::uint32_t seed);
+  /// The faces and, where the brush mirrors, their images.
+  [[nodiscard]] std::vector<std::uint32_t> with_images(std::span<const std::uint32_t> faces);
+  /// What a click would do: the forecast in the model tells what it would cost, as soon as that is
+  /// known.
+  void propose(std::span<const std::uint32_t> faces, DepthChange change);
+  void withdraw_proposal();
+  [[nodiscard]] std::optional<ui::PaintForecast> forecast() const;
+  /// Blocks until the forecast is known. For tests.
+  void finish_forecast();
 
   /// Where the next frame shall be written as a picture, once.
   [[nodiscard]] std::optional<std::filesystem::path> take_screenshot_request();
@@ -159,8 +173,9 @@ class Session {
   bool perform_file(const ui::Action& action);      // session_files.cpp, as what follows it
   bool perform_rule(const ui::Action& action);      // session_painting.cpp
   bool perform_creases(const ui::Action& action);
-  bool perform_brush(const ui::Action& action);
   bool perform_subdivision(const ui::Action& action);
+  bool perform_brush(const ui::Action& action);  // session_tools.cpp, as what follows it
+  bool perform_tool(const ui::Action& action);
   bool perform_scheme(const ui::Action& action);  // session_schemes.cpp, as what follows it
   bool perform_scheme_choice(const ui::Action& action);
   bool perform_edge(const ui::Action& action);
@@ -193,7 +208,7 @@ class Session {
   [[nodiscard]] std::array<std::string, MeshFormats.size()> export_losses() const;
   void ask_for_path(ui::PathPrompt::Purpose purpose);
 
-  void paint(const Selection& selection, DepthChange change, const std::string& what);
+  void paint(const PaintRule& rule, const std::string& what);
   void crease(const CreaseRule& rule, std::string_view nothing);
   void set_stage(Stage stage, std::string name);
   void change_settings(const SubdivisionSettings& settings);
@@ -229,6 +244,7 @@ class Session {
   LiveRefinement second_;
   SphereJob sphere_;
   ExportJob exports_;
+  ForecastJob forecast_;
   bool was_busy_ = false;  ///< At the last update.
   MeshFacts facts_;
   SchemeFacts scheme_facts_;
@@ -252,6 +268,10 @@ class Session {
   std::optional<ui::MendFocus> mend_focus_;
   std::shared_ptr<const ControlMesh> known_control_;  ///< At the last `update_facts`.
   std::optional<Stroke> stroke_;
+  std::string stroke_name_;
+  MeshAids aids_;
+  std::size_t lone_faces_ = 0;                 ///< As in ui::Model.
+  std::optional<ui::PaintForecast> proposal_;  ///< Without its cost.
 
   ui::Modal modal_;
   std::optional<ui::Action> held_back_;  ///< Waits for the answer about unsaved changes.

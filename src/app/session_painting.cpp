@@ -1,4 +1,4 @@
-// Painting and subdividing: each action that changes the document makes one command.
+// Rules and subdividing: each action that changes the document makes one command.
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -17,12 +17,6 @@ using Kind = ui::Toast::Kind;
 
 namespace {
 
-constexpr double kBrushStep = 1.15;
-
-double clamp_radius(double radius) {
-  return std::clamp(radius, ui::kMinBrushRadius, ui::kMaxBrushRadius);
-}
-
 /// "1 face", "12 faces".
 std::string face_count(std::size_t faces) {
   return fmt::format("{} face{}", faces, faces == 1 ? "" : "s");
@@ -33,19 +27,34 @@ std::string face_count(std::size_t faces) {
 bool Session::perform_rule(const ui::Action& action) {
   switch (action.id) {
     case kRaiseAll:
-      paint(SelectAll{}, DepthChange::add(1), "raise all");
+      paint(ChangeFaces{SelectAll{}, DepthChange::add(1)}, "raise all");
       return true;
     case kLowerAll:
-      paint(SelectAll{}, DepthChange::add(-1), "lower all");
+      paint(ChangeFaces{SelectAll{}, DepthChange::add(-1)}, "lower all");
       return true;
     case kZeroAll:
-      paint(SelectAll{}, DepthChange::set(0), "zero all");
+      paint(DepthFilter::kClear, "zero all");
       return true;
     case kRaiseVisible:
-      paint(SelectVisible{}, DepthChange::add(1), "raise visible");
+      paint(ChangeFaces{SelectVisible{}, DepthChange::add(1)}, "raise visible");
       return true;
     case kRaiseDihedral:
-      paint(SelectDihedral{dihedral_threshold_}, DepthChange::add(1), "raise sharp");
+      paint(ChangeFaces{SelectDihedral{dihedral_threshold_}, DepthChange::add(1)}, "raise sharp");
+      return true;
+    case kGrowPainting:
+      paint(DepthFilter::kGrow, "grow");
+      return true;
+    case kShrinkPainting:
+      paint(DepthFilter::kShrink, "shrink");
+      return true;
+    case kSmoothPainting:
+      paint(DepthFilter::kSmooth, "even out");
+      return true;
+    case kInvertPainting:
+      paint(DepthFilter::kInvert, "invert");
+      return true;
+    case kMirrorPainting:
+      paint(MirrorPainting{brush_.mirror}, "mirror " + to_string(brush_.mirror));
       return true;
     case kSetDihedralThreshold:
       dihedral_threshold_ = std::clamp(std::get<double>(action.value), 0.0, 180.0);
@@ -55,22 +64,19 @@ bool Session::perform_rule(const ui::Action& action) {
   }
 }
 
-void Session::paint(const Selection& selection, DepthChange change, const std::string& what) {
+void Session::paint(const PaintRule& rule, const std::string& what) {
   end_stroke();
-  const auto faces =
-      select_faces(*document_.control, document_.depths, selection, host_.visible_faces);
-  if (!faces) {
-    toast(Kind::kProblem, faces.error().message);
+  auto edits = plan_paint_rule(*document_.control, rule, host_.visible_faces, document_.depths);
+  if (!edits) {
+    toast(Kind::kProblem, edits.error().message);
     return;
   }
-  auto edits = plan_edits(document_.depths, *faces, change);
-  if (edits.empty()) {
-    toast(Kind::kNote, faces->empty() ? "No face is selected by this rule."
-                                      : "No face changes: all are at the limit already.");
+  if (edits->empty()) {
+    toast(Kind::kNote, "No face changes by this.");
     return;
   }
-  const std::string count = face_count(edits.size());
-  execute(paint_command(std::move(edits), fmt::format("{} ({})", what, count)));
+  const std::string count = face_count(edits->size());
+  execute(paint_command(*std::move(edits), fmt::format("{} ({})", what, count)));
 }
 
 bool Session::perform_creases(const ui::Action& action) {
@@ -101,98 +107,6 @@ void Session::crease(const CreaseRule& rule, std::string_view nothing) {
     return;
   }
   execute(crease_command(document_, rule));
-}
-
-bool Session::perform_brush(const ui::Action& action) {
-  switch (action.id) {
-    case kToolPaint:
-      brush_.tool = ui::Tool::kPaint;
-      return true;
-    case kToolLower:
-      brush_.tool = ui::Tool::kLower;
-      return true;
-    case kToolPick:
-      brush_.tool = ui::Tool::kPick;
-      return true;
-    case kToolOrbit:
-      brush_.tool = ui::Tool::kOrbit;
-      return true;
-    case kToolSplitEdge:
-      brush_.tool = ui::Tool::kSplitEdge;
-      return true;
-    case kToolFlipEdge:
-      brush_.tool = ui::Tool::kFlipEdge;
-      return true;
-    case kBrushAdds:
-      brush_.sets_depth = false;
-      return true;
-    case kBrushSets:
-      brush_.sets_depth = true;
-      return true;
-    case kSetTargetDepth:
-      // Whoever names a depth wants to paint that depth.
-      brush_.target_depth = std::clamp(std::get<int>(action.value), 0, kMaxDepth);
-      brush_.sets_depth = true;
-      return true;
-    case kPickDepth:
-      if (hover_) {
-        brush_.target_depth = document_.depths[*hover_];
-        brush_.sets_depth = true;
-      } else {
-        toast(Kind::kNote, "Point at a face to pick its depth.");
-      }
-      return true;
-    case kBrushBigger:
-      brush_.radius = clamp_radius(brush_.radius * kBrushStep);
-      return true;
-    case kBrushSmaller:
-      brush_.radius = clamp_radius(brush_.radius / kBrushStep);
-      return true;
-    case kSetBrushRadius:
-      brush_.radius = clamp_radius(std::get<double>(action.value));
-      return true;
-    default:
-      return false;
-  }
-}
-
-void Session::begin_stroke(DepthChange change) {
-  end_stroke();
-  stroke_.emplace(document_.depths, change);
-}
-
-bool Session::touch(std::span<const std::uint32_t> faces) {
-  const bool is_changed = stroke_ && stroke_->touch(document_.depths, faces);
-  if (is_changed) {
-    ++document_.revisions.depths;
-  }
-  return is_changed;
-}
-
-void Session::end_stroke() {
-  if (!stroke_) {
-    return;
-  }
-  const auto edits = stroke_->edits();
-  if (!edits.empty()) {
-    try {
-      history_.record(
-          paint_command({edits.begin(), edits.end()}, "paint " + face_count(edits.size())));
-    } catch (const std::bad_alloc&) {
-      give_up_stroke();  // What cannot be undone is not to stay.
-      toast(Kind::kProblem, "There is not enough memory to remember this stroke.");
-      return;
-    }
-  }
-  stroke_.reset();
-}
-
-void Session::give_up_stroke() {
-  if (stroke_ && !stroke_->edits().empty()) {
-    revert_edits(document_.depths, stroke_->edits());
-    ++document_.revisions.depths;
-  }
-  stroke_.reset();
 }
 
 bool Session::perform_subdivision(const ui::Action& action) {

@@ -237,7 +237,9 @@ void Session::update_facts() {
   const bool is_other_surface =
       known_control_ == nullptr || &known_control_->topology() != &document_.control->topology();
   known_control_ = document_.control;
+  lone_faces_ = aids_.mirror(document_.control, brush_.mirror).lone_faces();
   if (is_other_surface) {
+    withdraw_proposal();
     hover_.reset();
     hover_edge_.reset();
     refinement_.follow(document_, wish());

@@ -46,6 +46,19 @@ Json hover_edge_json(const Session& session) {
   return {ends[0], ends[1]};
 }
 
+const char* tool_name(ui::Tool tool) {
+  constexpr std::array kNames{"paint",     "lower", "pick",       "orbit",     "split edge",
+                              "flip edge", "fill",  "smart fill", "rectangle", "lasso"};
+  return kNames.at(static_cast<std::size_t>(tool));
+}
+
+/// What a click would change, and what that would add to the refined mesh.
+Json forecast_json(const Session& session) {
+  const auto forecast = session.forecast();
+  return forecast ? Json{{"faces", forecast->faces}, {"added", forecast->added_faces}}
+                  : Json(nullptr);
+}
+
 Json matrix_json(const glm::dmat4& matrix) {
   Json rows = Json::array();
   for (int row = 0; row < 4; ++row) {
@@ -96,6 +109,12 @@ Result<void> write_status_file(const std::filesystem::path& path, const Status& 
       {"hover_edge", hover_edge_json(session)},
       {"dihedral_threshold", session.dihedral_threshold()},
       {"brush_radius", session.brush().radius},
+      {"fill_angle", session.brush().fill_angle},
+      {"tool", tool_name(session.brush().tool)},
+      {"through", session.brush().goes_through},
+      {"mirror", to_string(session.brush().mirror)},
+      {"shift_draws_lines", session.brush().shift_draws_lines},
+      {"forecast", forecast_json(session)},
       {"modal", modal_name(session.modal())},
       {"toasts", toasts},
       {"items", items},

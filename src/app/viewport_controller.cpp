@@ -21,10 +21,10 @@ void ViewportController::update(const ui::ViewportInput& input, const ViewportPl
                                 Session& session, ViewportPicker& picker) {
   ViewportFrame frame{input, place, session, picker, is_in_second_};
   if (place.size.is_empty()) {
-    tools_.leave();
+    tools_.leave(session);
     return;
   }
-  if (drag_ == Drag::kPaint && tools_.is_given_up(session)) {
+  if (drag_ == Drag::kPaint && tools_.take_given_up(session)) {
     drag_ = Drag::kIdle;
   }
   for (const ui::WindowPoint& point : input.path) {
@@ -73,7 +73,7 @@ void ViewportController::press(const ViewportFrame& frame) {
 void ViewportController::release(const ViewportFrame& frame) {
   const ui::ViewportInput& input = frame.input;
   if (drag_ == Drag::kPaint && !input.is_down(MouseButton::kLeft)) {
-    tools_.release(frame.session);
+    tools_.release(frame, last_);
     drag_ = Drag::kIdle;
   }
   const bool any_down = input.is_down(MouseButton::kLeft) || input.is_down(MouseButton::kRight) ||
@@ -109,7 +109,7 @@ void ViewportController::hover(const ViewportFrame& frame) {
   const bool is_here = frame.input.is_hovered && frame.input.cursor && !frame.is_in_second;
   Session& session = frame.session;
   if (!is_here || drag_ == Drag::kCamera || frame.input.wheel.y != 0.0) {
-    tools_.leave();
+    tools_.leave(session);
     session.set_hover_edge(std::nullopt);
     if (!is_here) {
       session.set_hover(std::nullopt);
@@ -117,7 +117,7 @@ void ViewportController::hover(const ViewportFrame& frame) {
     return;
   }
   if (drag_ == Drag::kEdge) {
-    tools_.leave();
+    tools_.leave(session);
     return;  // The edge has been changed, and the picture with it.
   }
   const auto face = frame.pick(last_);

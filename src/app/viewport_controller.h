@@ -30,6 +30,8 @@ class ViewportController {
 
   /// The brush under the cursor; nothing where none is at work.
   [[nodiscard]] const std::optional<BrushRing>& ring() const noexcept { return tools_.ring(); }
+  /// What a rectangle, lasso or straight stroke would go along; empty where there is none.
+  [[nodiscard]] const Outline& outline() const noexcept { return tools_.outline(); }
   /// Control faces that a click would reach.
   [[nodiscard]] std::span<const std::uint32_t> highlighted() const noexcept {
     return tools_.highlighted();

@@ -6,21 +6,28 @@
 
 #include "render/camera.h"
 #include "render/coordinates.h"
-#include "render/picking/brush_capsule.h"
 #include "render/picking/picked_face.h"
+#include "render/picking/screen_region.h"
 #include "ui/input.h"
 
 namespace limn::app {
 
 class Session;
 
+/// Which faces a tool takes of those in a part of the picture.
+enum class Reach : std::uint8_t {
+  kVisible,  ///< That show in it.
+  kThrough,  ///< That would, were there nothing before them.
+};
+
 /// Answers which faces show where in the viewport, for the camera in force.
 class ViewportPicker {
  public:
   virtual ~ViewportPicker() = default;
   [[nodiscard]] virtual std::optional<render::PickedFace> pick(render::FramebufferPoint point) = 0;
-  /// Control faces that show under the brush.
-  [[nodiscard]] virtual std::vector<std::uint32_t> brush(const render::BrushCapsule& capsule) = 0;
+  /// Control faces in a part of the picture, each once.
+  [[nodiscard]] virtual std::vector<std::uint32_t> faces_in(const render::ScreenRegion& region,
+                                                            Reach reach) = 0;
 };
 
 /// Where the viewport lies: its rectangle in the window, and its size in pixels. Where it is split,

@@ -2,6 +2,8 @@
 // image is kept: panels can be drawn over it again and again without touching the mesh.
 #include "app/viewport_scene.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/session.h"
@@ -12,6 +14,8 @@ namespace {
 
 constexpr float kRingWidth = 1.5F;
 constexpr float kEdgeWidth = 4.0F;
+constexpr float kOutlineWidth = 1.5F;
+constexpr float kOutlineRim = 3.5F;
 
 // One list of names, seen from two rooms.
 static_assert(static_cast<int>(ui::Tint::kDepth) == static_cast<int>(render::FaceColour::kDepth));
@@ -54,6 +58,30 @@ std::optional<render::OverlaySegment> edge_segment(const ControlMesh& mesh, std:
   segment.to = {to->point.x, to->point.y};
   segment.width = kEdgeWidth * static_cast<float>(scale);
   return segment;
+}
+
+/// An outline with a dark rim, to be seen on every colour.
+std::vector<render::OverlaySegment> outline_segments(const Outline& outline, double scale) {
+  std::vector<render::OverlaySegment> segments;
+  const std::size_t corners = outline.points.size();
+  if (corners < 2) {
+    return segments;
+  }
+  const std::size_t sides = outline.is_closed ? corners : corners - 1;
+  for (const bool is_rim : {true, false}) {
+    for (std::size_t i = 0; i < sides; ++i) {
+      const render::FramebufferPoint& from = outline.points[i];
+      const render::FramebufferPoint& to = outline.points[i + 1 == corners ? 0 : i + 1];
+      render::OverlaySegment& segment = segments.emplace_back();
+      segment.from = {from.x, from.y};
+      segment.to = {to.x, to.y};
+      segment.width = (is_rim ? kOutlineRim : kOutlineWidth) * static_cast<float>(scale);
+      if (is_rim) {
+        segment.colour = {0, 0, 0};
+      }
+    }
+  }
+  return segments;
 }
 
 /// Dots on the illegal vertices alone.
@@ -246,17 +274,12 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
                          const ViewportLook& look) {
   const bool shows_refined = refined_.is_there && session.shows_refined();
   const bool shows_second = second_.is_there && session.shows_second_refined();
-  Shown wanted{session.view(),
-               size,
-               session.display(),
-               look.scale,
-               shows_refined,
-               shows_second,
-               content_,
-               look.ring,
-               {look.highlighted.begin(), look.highlighted.end()},
-               look.edge,
-               has_cage(session)};
+  Shown wanted{session.view(),    size,
+               session.display(), look.scale,
+               shows_refined,     shows_second,
+               content_,          look.ring,
+               look.outline,      {look.highlighted.begin(), look.highlighted.end()},
+               look.edge,         has_cage(session)};
   if (shown_ == wanted) {
     return;
   }
@@ -279,13 +302,14 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
                                      static_cast<float>(look.ring->radius),
                                      kRingWidth * static_cast<float>(look.scale)};
   }
-  std::optional<render::OverlaySegment> segment;
+  std::vector<render::OverlaySegment> segments = outline_segments(look.outline, look.scale);
   if (look.edge) {
-    segment = edge_segment(*session.document().control, *look.edge, seen, look.scale);
+    if (const auto segment =
+            edge_segment(*session.document().control, *look.edge, seen, look.scale)) {
+      segments.push_back(*segment);
+    }
   }
-  if (segment) {
-    scene.segments = {&*segment, 1};
-  }
+  scene.segments = segments;
   renderer_.draw(target_, seen, scene, settings);
   shown_ = std::move(wanted);
 }
@@ -297,11 +321,26 @@ std::optional<render::PickedFace> ViewportScene::pick(const Session& session,
   return picker_.pick({surface(session), seen}, point);
 }
 
-std::vector<std::uint32_t> ViewportScene::brush(const Session& session,
-                                                render::FramebufferSize size,
-                                                const render::BrushCapsule& capsule) {
+std::vector<std::uint32_t> ViewportScene::faces_in(const Session& session,
+                                                   render::FramebufferSize size,
+                                                   const render::ScreenRegion& region,
+                                                   Reach reach) {
   const render::Camera seen = camera(session, size);
-  return picker_.brush({surface(session), seen}, capsule);
+  std::vector<std::uint32_t> visible = picker_.faces_in({surface(session), seen}, region);
+  if (reach == Reach::kVisible) {
+    return visible;
+  }
+  const auto& control = session.document().control;
+  std::vector<std::uint32_t> faces =
+      refined_.is_there && session.shows_refined()
+          ? through_picker_.faces_in(session.refinement().refined()->mesh, control->face_count(),
+                                     seen, region)
+          : through_picker_.faces_in(control, seen, region);
+  // A face that is not flat may show a little beyond the outline of its corners.
+  std::ranges::sort(visible);
+  std::vector<std::uint32_t> all;
+  std::ranges::set_union(faces, visible, std::back_inserter(all));
+  return all;
 }
 
 std::vector<std::uint32_t> ViewportScene::visible_faces(const Session& session,

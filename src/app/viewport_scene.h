@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "app/paint_tools/paint_tools.h"
+#include "app/viewport_frame.h"
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
 #include "render/camera.h"
 #include "render/mesh_renderer.h"
 #include "render/picking/face_picker.h"
+#include "render/picking/through_picker.h"
 #include "render/render_target.h"
 #include "render/surface/crease_lines.h"
 #include "render/surface/face_paint.h"
@@ -28,6 +30,7 @@ class ShownValences;
 /// What a viewport needs beside the session to be drawn.
 struct ViewportLook {
   std::optional<BrushRing> ring;
+  Outline outline;
   std::span<const std::uint32_t> highlighted;  ///< Control faces.
   std::optional<std::uint32_t> edge;           ///< A control edge that lights up.
   double scale = 1.0;                          ///< Pixels per unit of the interface.
@@ -68,9 +71,10 @@ class ViewportScene {
   [[nodiscard]] std::optional<render::PickedFace> pick(const Session& session,
                                                        render::FramebufferSize size,
                                                        render::FramebufferPoint point);
-  [[nodiscard]] std::vector<std::uint32_t> brush(const Session& session,
-                                                 render::FramebufferSize size,
-                                                 const render::BrushCapsule& capsule);
+  [[nodiscard]] std::vector<std::uint32_t> faces_in(const Session& session,
+                                                    render::FramebufferSize size,
+                                                    const render::ScreenRegion& region,
+                                                    Reach reach);
   [[nodiscard]] std::vector<std::uint32_t> visible_faces(const Session& session,
                                                          render::FramebufferSize size);
 
@@ -85,6 +89,7 @@ class ViewportScene {
     bool shows_second_refined = false;
     std::uint64_t content = 0;
     std::optional<BrushRing> ring;
+    Outline outline;
     std::vector<std::uint32_t> highlighted;
     std::optional<std::uint32_t> edge;
     bool has_cage = false;
@@ -129,6 +134,7 @@ class ViewportScene {
   Dots second_valences_;
   render::MeshRenderer renderer_;
   render::FacePicker picker_;
+  render::ThroughPicker through_picker_;
   render::RenderTarget target_;
   render::RenderTarget second_target_;
 

@@ -22,8 +22,9 @@ class ScenePicker final : public ViewportPicker {
   [[nodiscard]] std::optional<render::PickedFace> pick(render::FramebufferPoint point) override {
     return scene_.pick(session_, size_, point);
   }
-  [[nodiscard]] std::vector<std::uint32_t> brush(const render::BrushCapsule& capsule) override {
-    return scene_.brush(session_, size_, capsule);
+  [[nodiscard]] std::vector<std::uint32_t> faces_in(const render::ScreenRegion& region,
+                                                    Reach reach) override {
+    return scene_.faces_in(session_, size_, region, reach);
   }
 
  private:
@@ -45,7 +46,7 @@ Workbench::Workbench(WorkbenchHost host, const Preferences& preferences, Project
                 std::move(host.recovery_folder), host.files, host.arrivals}) {
   gui_.set_layout(preferences.layout);
   gui_.set_clipboard(std::move(host.read_clipboard), std::move(host.write_clipboard));
-  session_.restore(preferences.display, preferences.keymap, preferences.brush_radius,
+  session_.restore(preferences.display, preferences.keymap, preferences.brush,
                    preferences.dihedral_threshold);
   session_.set_navigation(preferences.navigation);
   session_.set_crease_sharpness(preferences.crease_sharpness);
@@ -178,8 +179,8 @@ void Workbench::sync_scene() {
 void Workbench::draw(const Screen& screen, GLuint framebuffer) {
   const ui::Scale& scale = screen.scale;
   scene_->draw(session_, place_.size,
-               {controller_.ring(), controller_.highlighted(), session_.hover_edge(),
-                scale.interface * scale.density});
+               {controller_.ring(), controller_.outline(), controller_.highlighted(),
+                session_.hover_edge(), scale.interface * scale.density});
   const auto start = [&] {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, screen.framebuffer.width, screen.framebuffer.height);
@@ -205,7 +206,7 @@ Preferences Workbench::preferences() const {
   all.display = session_.display();
   all.keymap = session_.keymap();
   all.navigation = session_.navigation();
-  all.brush_radius = session_.brush().radius;
+  all.brush = session_.brush();
   all.dihedral_threshold = session_.dihedral_threshold();
   all.crease_sharpness = session_.crease_sharpness();
   all.face_budget = session_.refinement().face_budget();

@@ -40,10 +40,19 @@ enum class ActionId : std::uint8_t {
   kCreaseDihedral,        ///< Edges over the threshold get the crease sharpness.
   kSetCreaseSharpness,    ///< double, 0..kInfiniteSharpness.
   kClearCreases,          ///< Every edge and vertex smooth.
+  kGrowPainting,          ///< depth_filter.h, as what follows it
+  kShrinkPainting,
+  kSmoothPainting,
+  kInvertPainting,
+  kMirrorPainting,  ///< Symmetric by the axes that are on.
 
   // Tools: what a plain left drag in the viewport does
   kToolPaint,
   kToolLower,
+  kToolFill,
+  kToolSmartFill,
+  kToolRectangle,
+  kToolLasso,
   kToolPick,
   kToolOrbit,
   kToolSplitEdge,
@@ -56,7 +65,13 @@ enum class ActionId : std::uint8_t {
   kPickDepth,       ///< The depth of the face under the cursor becomes the target depth.
   kBrushBigger,
   kBrushSmaller,
-  kSetBrushRadius,  ///< double, window units, kMinBrushRadius..kMaxBrushRadius (model.h).
+  kSetBrushRadius,      ///< double, window units, kMinBrushRadius..kMaxBrushRadius (model.h).
+  kSetFillAngle,        ///< double, degrees, 0..kMostFillAngle.
+  kTogglePaintThrough,  ///< Hidden faces too, for brush, rectangle and lasso.
+  kToggleShiftLine,     ///< What Shift does with the paint tool: a line, or it lowers.
+  kToggleMirrorX,
+  kToggleMirrorY,
+  kToggleMirrorZ,
 
   // Subdivide
   kRemoveIllegal,

@@ -53,10 +53,46 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "10 they never wear off; 0 makes them smooth."},
     {kClearCreases, kPaint, kNothing, "Clear creases",
      "Make every edge and every corner of the control mesh smooth."},
+    {kGrowPainting, kPaint, kNothing, "Grow",
+     "Each face takes the greatest depth of itself and the faces around it: painted places widen "
+     "by "
+     "one ring."},
+    {kShrinkPainting, kPaint, kNothing, "Shrink",
+     "Each face takes the least depth of itself and the faces around it: painted places lose their "
+     "outer ring."},
+    {kSmoothPainting, kPaint, kNothing, "Even out",
+     "Each face takes the rounded mean depth of itself and the faces around it: steps become "
+     "stairs, "
+     "lone faces go."},
+    {kInvertPainting, kPaint, kNothing, "Invert",
+     "Unpainted faces get the deepest depth and the deepest none; what lies between changes "
+     "sides."},
+    {kMirrorPainting, kPaint, kNothing, "Mirror painting",
+     "Make the painting symmetric across the axes that are on: each face takes the greatest depth "
+     "of "
+     "itself and its mirror images."},
 
     {kToolPaint, kPaint, kNothing, "Paint tool",
      "Left drag paints the faces under the ring. Shift or Ctrl lowers them instead."},
-    {kToolLower, kPaint, kNothing, "Lower tool", "Left drag lowers the faces under the ring by 1."},
+    {kToolLower, kPaint, kNothing, "Lower tool",
+     "Left drag lowers the faces under the ring by 1. Shift and a click draw a straight line from "
+     "where the last stroke ended."},
+    {kToolFill, kPaint, kNothing, "Fill tool",
+     "A click paints the face under the cursor and all around it that have its depth, as far as "
+     "they "
+     "hang together. Shift or Ctrl lowers them."},
+    {kToolSmartFill, kPaint, kNothing, "Smart fill tool",
+     "A click paints the face under the cursor and what is around it, until the surface has bent "
+     "by "
+     "the fill angle in all. Shift or Ctrl lowers."},
+    {kToolRectangle, kPaint, kNothing, "Rectangle tool",
+     "Left drag spans a rectangle; the faces in it are painted when you let go. Shift or Ctrl "
+     "lowers "
+     "them, Esc gives it up."},
+    {kToolLasso, kPaint, kNothing, "Lasso tool",
+     "Left drag draws around faces; they are painted when you let go. Shift or Ctrl lowers them, "
+     "Esc "
+     "gives it up."},
     {kToolPick, kPaint, kNothing, "Pick tool",
      "A click makes the depth of the face under the cursor the target depth."},
     {kToolOrbit, kCamera, kNothing, "Orbit tool",
@@ -83,6 +119,24 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Narrow the ring of the brush. Ctrl and the wheel do so too."},
     {kSetBrushRadius, kPaint, ValueKind::kDouble, "Brush radius",
      "How wide the brush is on the screen."},
+    {kSetFillAngle, kPaint, ValueKind::kDouble, "Fill angle",
+     "By how many degrees in all the surface may bend on the way from where you click. A flat face "
+     "is filled by any angle; a whole round bottle needs 180."},
+    {kTogglePaintThrough, kPaint, ValueKind::kToggle, "Paint through",
+     "Brush, rectangle and lasso also paint faces that are hidden behind others. Otherwise only "
+     "what "
+     "you see is painted."},
+    {kToggleShiftLine, kPaint, ValueKind::kToggle, "Shift draws a line",
+     "With the paint tool, Shift and a click paint a straight line from where the last stroke "
+     "ended, "
+     "instead of lowering. Ctrl always lowers."},
+    {kToggleMirrorX, kPaint, ValueKind::kToggle, "Mirror X",
+     "Paint the mirror image too, left and right of the middle of the mesh. Goes together with the "
+     "other two."},
+    {kToggleMirrorY, kPaint, ValueKind::kToggle, "Mirror Y",
+     "Paint the mirror image too, above and below the middle of the mesh."},
+    {kToggleMirrorZ, kPaint, ValueKind::kToggle, "Mirror Z",
+     "Paint the mirror image too, in front of and behind the middle of the mesh."},
 
     {kRemoveIllegal, kRefine, kNothing, "Remove illegal vertices",
      "Raise as few vertices as the rule needs so that every face can be split without a crack. "

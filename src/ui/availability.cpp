@@ -16,6 +16,12 @@ std::string word_of(const std::optional<SchemeSettings>& settings) {
   return settings ? scheme_word(*settings) : std::string();
 }
 
+/// Whether a toggle stands where the action would put it; without a value, whether it is on.
+bool stands(bool is_on, const Action& action) {
+  const auto* value = std::get_if<bool>(&action.value);
+  return value != nullptr ? is_on == *value : is_on;
+}
+
 }  // namespace
 
 bool is_available(const Model& model, const Action& action) {
@@ -31,8 +37,14 @@ bool is_available(const Model& model, const Action& action) {
       return is_painted || document.control != document.opened || document.stage != Stage{};
     case ActionId::kLowerAll:
     case ActionId::kZeroAll:
+    case ActionId::kGrowPainting:
+    case ActionId::kShrinkPainting:
+    case ActionId::kSmoothPainting:
+    case ActionId::kInvertPainting:
     case ActionId::kFramePainted:
       return is_painted;
+    case ActionId::kMirrorPainting:
+      return is_painted && model.brush.mirror.any();
     case ActionId::kBackToControl:
       return document.stage != Stage{};
     case ActionId::kRemoveIllegal:
@@ -90,6 +102,24 @@ bool is_checked(const Model& model, const Action& action) {
       return model.brush.tool == Tool::kPaint;
     case ActionId::kToolLower:
       return model.brush.tool == Tool::kLower;
+    case ActionId::kToolFill:
+      return model.brush.tool == Tool::kFill;
+    case ActionId::kToolSmartFill:
+      return model.brush.tool == Tool::kSmartFill;
+    case ActionId::kToolRectangle:
+      return model.brush.tool == Tool::kRectangle;
+    case ActionId::kToolLasso:
+      return model.brush.tool == Tool::kLasso;
+    case ActionId::kTogglePaintThrough:
+      return stands(model.brush.goes_through, action);
+    case ActionId::kToggleShiftLine:
+      return stands(model.brush.shift_draws_lines, action);
+    case ActionId::kToggleMirrorX:
+      return stands(model.brush.mirror.x, action);
+    case ActionId::kToggleMirrorY:
+      return stands(model.brush.mirror.y, action);
+    case ActionId::kToggleMirrorZ:
+      return stands(model.brush.mirror.z, action);
     case ActionId::kToolPick:
       return model.brush.tool == Tool::kPick;
     case ActionId::kToolOrbit:

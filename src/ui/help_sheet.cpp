@@ -19,8 +19,9 @@ struct MouseLine {
   std::string_view how;
 };
 
-constexpr std::array<MouseLine, 2> kToolMouse{
-    {{"Use the tool", "Left drag"}, {"Lower by 1", "Shift or Ctrl + left drag"}}};
+constexpr std::array<MouseLine, 3> kToolMouse{{{"Use the tool", "Left drag"},
+                                               {"Lower by 1", "Shift or Ctrl + left drag"},
+                                               {"Straight line (lower tool)", "Shift + click"}}};
 constexpr std::array<MouseLine, 3> kOtherMouse{{{"Brush size", "Ctrl + wheel"},
                                                 {"Type a value", "Ctrl + click on a slider"},
                                                 {"Open a file", "Drop it on the window"}}};

@@ -65,6 +65,49 @@ void dropper(const Pen& pen) {
   pen.stroke({{2.4F, -2.4F}, {4.6F, -6.2F}, {6.2F, -6.2F}, {6.2F, -4.6F}}, true);
 }
 
+/// Under its handle, with the level of what is in it.
+void bucket(const Pen& pen) {
+  pen.stroke({{-6.0F, -2.4F}, {6.0F, -2.4F}, {4.4F, 7.4F}, {-4.4F, 7.4F}}, true);
+  pen.arc(0.0F, -2.4F, 5.0F, 0.5F, 1.0F);
+  pen.stroke({{-5.4F, 1.6F}, {5.4F, 1.6F}});
+}
+
+/// Aslant, with a star before its tip.
+void wand(const Pen& pen) {
+  pen.stroke({{-7.0F, 7.0F}, {0.6F, -0.6F}});
+  pen.stroke({{4.4F, -8.0F}, {4.4F, -1.6F}});
+  pen.stroke({{1.2F, -4.8F}, {7.6F, -4.8F}});
+  for (const ImVec2 spark : {ImVec2{-2.6F, -5.4F}, ImVec2{6.2F, 2.6F}}) {
+    pen.list.AddCircleFilled(pen.at(spark.x, spark.y), 1.2F * pen.grid, pen.colour);
+  }
+}
+
+/// In dashes.
+void dashed_rectangle(const Pen& pen) {
+  constexpr float kWide = 7.0F;
+  constexpr float kHigh = 5.4F;
+  for (const float side : {-1.0F, 1.0F}) {
+    for (const float x : {-1.0F, 1.0F}) {
+      pen.stroke({{kWide * x, kHigh * side}, {(kWide - 3.0F) * x, kHigh * side}});
+      pen.stroke({{kWide * x, kHigh * side}, {kWide * x, (kHigh - 2.4F) * side}});
+    }
+    pen.stroke({{-1.7F, kHigh * side}, {1.7F, kHigh * side}});
+    pen.stroke({{kWide * side, -1.0F}, {kWide * side, 1.0F}});
+  }
+}
+
+/// A loop with the end of its rope.
+void lasso(const Pen& pen) {
+  constexpr int kSteps = 28;
+  for (int i = 0; i < kSteps; ++i) {
+    const float angle = 2.0F * kPi * static_cast<float>(i) / kSteps;
+    pen.list.PathLineTo(pen.at(7.2F * std::cos(angle), -2.0F + 4.8F * std::sin(angle)));
+  }
+  pen.list.PathStroke(pen.colour, ImDrawFlags_Closed, pen.width());
+  pen.circle(-4.2F, 3.4F, 1.5F);
+  pen.stroke({{-4.8F, 4.9F}, {-3.6F, 6.6F}, {-5.2F, 8.2F}});
+}
+
 /// Two triangles with their common edge upright, and a dot in its middle.
 void split_edge(const Pen& pen) {
   pen.stroke({{0.0F, -7.6F}, {7.4F, 0.0F}, {0.0F, 7.6F}, {-7.4F, 0.0F}}, true);
@@ -106,6 +149,18 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
     case Icon::kRingMinus:
       pen.circle(0.0F, 0.0F, 7.4F);
       pen.stroke({{-3.4F, 0.0F}, {3.4F, 0.0F}});
+      break;
+    case Icon::kBucket:
+      bucket(pen);
+      break;
+    case Icon::kWand:
+      wand(pen);
+      break;
+    case Icon::kRectangle:
+      dashed_rectangle(pen);
+      break;
+    case Icon::kLasso:
+      lasso(pen);
       break;
     case Icon::kDropper:
       dropper(pen);

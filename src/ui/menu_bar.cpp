@@ -63,12 +63,26 @@ void edit_menu(PanelContext& context) {
   action_menu_item(context, kRedo, with_name("Redo", history.redo_name));
   items(context, {kRevert});
   ImGui::Separator();
-  items(context, {kRaiseAll, kLowerAll, kZeroAll, kRaiseVisible, kRaiseDihedral, kCreaseDihedral,
-                  kClearCreases});
+  items(context, {kRaiseAll, kLowerAll, kZeroAll, kRaiseVisible, kRaiseDihedral});
+  if (begin_menu(context, "Whole painting")) {
+    items(context,
+          {kGrowPainting, kShrinkPainting, kSmoothPainting, kInvertPainting, kMirrorPainting});
+    ImGui::EndMenu();
+  }
+  items(context, {kCreaseDihedral, kClearCreases});
   ImGui::Separator();
-  items(context, {kToolPaint, kToolLower, kToolPick, kToolOrbit, kToolSplitEdge, kToolFlipEdge});
-  ImGui::Separator();
-  items(context, {kBrushAdds, kBrushSets, kPickDepth, kBrushBigger, kBrushSmaller});
+  if (begin_menu(context, "Tool")) {
+    items(context, {kToolPaint, kToolLower, kToolFill, kToolSmartFill, kToolRectangle, kToolLasso,
+                    kToolPick, kToolOrbit, kToolSplitEdge, kToolFlipEdge});
+    ImGui::EndMenu();
+  }
+  if (begin_menu(context, "Brush")) {
+    items(context, {kBrushAdds, kBrushSets, kPickDepth, kBrushBigger, kBrushSmaller});
+    ImGui::Separator();
+    items(context,
+          {kTogglePaintThrough, kToggleShiftLine, kToggleMirrorX, kToggleMirrorY, kToggleMirrorZ});
+    ImGui::EndMenu();
+  }
   ImGui::EndMenu();
 }
 

@@ -16,6 +16,7 @@
 #include "limn/mesh/import_report.h"
 #include "limn/mesh/mesh_format.h"
 #include "limn/painting/crease_palette.h"
+#include "limn/painting/mirror.h"
 #include "limn/painting/valence_palette.h"
 #include "limn/subdivision/settings.h"
 #include "ui/navigation_settings.h"
@@ -61,8 +62,8 @@ struct DisplaySettings {
   bool creases = true;         ///< Sharp edges and vertices, coloured by sharpness.
   bool faces = true;           ///< Otherwise the edges alone, as far as there is a wireframe.
   bool valences = false;       ///< Irregular vertices as dots with their valence.
-  /// Where no stage of the subdivision is asked for, the refined mesh is that of the painting to the
-  /// end.
+  /// Where no stage of the subdivision is asked for, the refined mesh is that of the painting to
+  /// the end.
   bool live = true;
   bool numbers = false;        ///< Depth or level on faces large enough to hold it.
   Tint tint = Tint::kDepth;
@@ -72,10 +73,38 @@ struct DisplaySettings {
   [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
 };
 
-/// What a plain left drag in the viewport does; kSplitEdge and kFlipEdge act on a click. Shift or
-/// Ctrl turns kPaint into lowering by 1; Alt and the other buttons move the camera whatever the
-/// tool.
-enum class Tool : std::uint8_t { kPaint, kLower, kPick, kOrbit, kSplitEdge, kFlipEdge };
+/// What a plain left drag in the viewport does; the fills, kSplitEdge and kFlipEdge act on a click.
+/// Shift or Ctrl turns what paints into lowering by 1; Alt and the other buttons move the camera
+/// whatever the tool.
+enum class Tool : std::uint8_t {
+  kPaint,
+  kLower,
+  kPick,
+  kOrbit,
+  kSplitEdge,
+  kFlipEdge,
+  kFill,       ///< Faces of equal depth that hang together.
+  kSmartFill,  ///< Faces as far as the surface bends by so much in all.
+  kRectangle,
+  kLasso,
+};
+
+/// Whether the tool works under a ring.
+[[nodiscard]] constexpr bool is_brush(Tool tool) noexcept {
+  return tool == Tool::kPaint || tool == Tool::kLower;
+}
+/// Whether a click fills a region.
+[[nodiscard]] constexpr bool is_fill(Tool tool) noexcept {
+  return tool == Tool::kFill || tool == Tool::kSmartFill;
+}
+/// Whether a drag encloses a part of the picture.
+[[nodiscard]] constexpr bool is_area(Tool tool) noexcept {
+  return tool == Tool::kRectangle || tool == Tool::kLasso;
+}
+/// Whether the tool changes depths.
+[[nodiscard]] constexpr bool is_painting(Tool tool) noexcept {
+  return is_brush(tool) || is_fill(tool) || is_area(tool);
+}
 
 /// Whether the tool works on the edge nearest to the cursor.
 [[nodiscard]] constexpr bool picks_edges(Tool tool) noexcept {
@@ -87,11 +116,25 @@ inline constexpr double kMaxBrushRadius = 300.0;
 
 struct BrushSettings {
   Tool tool = Tool::kPaint;
-  bool sets_depth = false;  ///< kPaint sets the target depth; otherwise it adds 1.
-  int target_depth = 1;     ///< 0..kMaxDepth.
-  double radius = 24.0;     ///< Window units.
+  bool sets_depth = false;         ///< kPaint sets the target depth; otherwise it adds 1.
+  int target_depth = 1;            ///< 0..kMaxDepth.
+  double radius = 24.0;            ///< Window units.
+  double fill_angle = 40.0;        ///< Of kSmartFill: degrees in all, 0..kMostFillAngle.
+  bool goes_through = false;       ///< Hidden faces too.
+  bool shift_draws_lines = false;  ///< With kPaint; otherwise Shift lowers.
+  MirrorAxes mirror{};
 
   [[nodiscard]] bool operator==(const BrushSettings&) const = default;
+};
+
+/// What a click would do to the painting, and what that would cost.
+struct PaintForecast {
+  std::size_t faces = 0;         ///< That would change.
+  std::optional<int> depth{};    ///< Which all of them would get; nothing where it differs.
+  int amount = 0;                ///< By how much they would change then.
+  std::int64_t added_faces = 0;  ///< Of the refined mesh, more or (negative) fewer.
+
+  [[nodiscard]] bool operator==(const PaintForecast&) const = default;
 };
 
 /// A refinement that runs off the main thread right now.
@@ -296,6 +339,8 @@ struct Model {
   std::optional<MendFocus> mend_focus{};
   std::optional<WindowPoint> mend_marker{};  ///< Where it shows, if it does.
   bool is_stroking = false;                  ///< A brush stroke is going on.
+  std::optional<PaintForecast> forecast{};   ///< Nothing while it is not known.
+  std::size_t lone_faces = 0;                ///< Without a mirror image, of the axes that are on.
   double frame_seconds = 0.0;
   /// From the last stroke of the mouse to the picture of what was refined after it.
   std::optional<double> stroke_seconds{};

@@ -1,9 +1,10 @@
-// What the brush does, then what can be done to many faces at once.
+// What the tool in hand does, then what can be done to many faces at once.
 
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "limn/painting/face_regions.h"
 #include "limn/subdivision/settings.h"
 #include "ui/action_table.h"
 #include "ui/availability.h"
@@ -75,22 +76,93 @@ std::string with_count(ActionId id, std::optional<std::size_t> count, const char
   return label;
 }
 
+/// What only some of the tools have; at least one line of it for each.
+void tool_options(PanelContext& context) {
+  const BrushSettings& brush = context.model.brush;
+  if (brush.tool == Tool::kSmartFill) {
+    action_slider(context, ActionId::kSetFillAngle, brush.fill_angle,
+                  {.label = "Fill angle", .format = "%.0f°", .low = 0.0, .high = kMostFillAngle});
+    return;
+  }
+  if (!is_area(brush.tool) && !is_fill(brush.tool)) {
+    action_slider(context, ActionId::kSetBrushRadius, brush.radius,
+                  {.label = "Brush radius",
+                   .format = "%.0f px",
+                   .low = kMinBrushRadius,
+                   .high = kMaxBrushRadius,
+                   .is_logarithmic = true});
+  }
+  if (is_fill(brush.tool)) {
+    return;
+  }
+  const float half = std::floor(room() / 2.0F);
+  action_toggle(context, ActionId::kTogglePaintThrough, half);
+  if (brush.tool == Tool::kPaint) {
+    ImGui::SameLine(0.0F, 0.0F);
+    action_toggle(context, ActionId::kToggleShiftLine, room());
+  }
+}
+
+/// A button with one letter that stays down while its axis is on.
+void axis_toggle(PanelContext& context, ActionId id, const char* letter) {
+  const bool is_on = is_checked(context.model, id);
+  const float side = context.px(28);
+  const bool is_pressed = ImGui::InvisibleButton(letter, {side, side});
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const ThemeColours& c = context.colours;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 off = ImGui::IsItemHovered() ? c.control_hovered : c.control;
+  list.AddRectFilled(low, high, is_on ? c.accent : off, context.px(5));
+  const ImVec2 size = ImGui::CalcTextSize(letter);
+  list.AddText(
+      {std::floor((low.x + high.x - size.x) / 2.0F), std::floor((low.y + high.y - size.y) / 2.0F)},
+      is_on ? c.on_accent : c.text, letter);
+  explain(context, id);
+  remember(context, info(id).label);
+  if (is_pressed) {
+    context.emit(Action(id, !is_on));
+  }
+}
+
+/// The axes, what can be done by them, and how many faces that leaves out.
+void mirror_row(PanelContext& context) {
+  const float gap = context.px(6);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Mirror");
+  ImGui::SameLine(0.0F, context.px(12));
+  axis_toggle(context, ActionId::kToggleMirrorX, "X");
+  ImGui::SameLine(0.0F, gap);
+  axis_toggle(context, ActionId::kToggleMirrorY, "Y");
+  ImGui::SameLine(0.0F, gap);
+  axis_toggle(context, ActionId::kToggleMirrorZ, "Z");
+  ImGui::SameLine(0.0F, gap);
+  action_button(context, ActionId::kMirrorPainting);
+  if (const std::size_t lone = context.model.lone_faces; lone > 0) {
+    ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
+    ImGui::PushFont(context.fonts.small);
+    const std::string note =
+        counted(lone, "face") + (lone == 1 ? " has no mirror image" : " have no mirror image");
+    ImGui::TextUnformatted(fit_text(note, room()).c_str());
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+  }
+}
+
 }  // namespace
 
 void draw_paint_section(PanelContext& context) {
   using enum ActionId;
   action_choice(context, std::array{Choice{kBrushAdds, "Add 1"}, Choice{kBrushSets, "Set depth"}});
   target_depth_row(context);
-  action_slider(context, kSetBrushRadius, context.model.brush.radius,
-                {.label = "Brush radius",
-                 .format = "%.0f px",
-                 .low = kMinBrushRadius,
-                 .high = kMaxBrushRadius,
-                 .is_logarithmic = true});
+  tool_options(context);
+  mirror_row(context);
 
   sub_heading(context, "Whole mesh");
   action_row(context, std::array<Action, 3>{kRaiseAll, kLowerAll, kZeroAll});
   action_button(context, kRaiseVisible);
+  action_row(context, std::array<Action, 4>{kGrowPainting, kShrinkPainting, kSmoothPainting,
+                                            kInvertPainting});
 
   sub_heading(context, "Sharp places");
   action_slider(context, kSetDihedralThreshold, context.model.dihedral_threshold,

@@ -47,6 +47,9 @@ void draw_path_prompt(PanelContext& context, const PathPrompt& prompt);
 void draw_progress(PanelContext& context, const RunningRefinement& running,
                    std::optional<std::uint64_t> faces);
 
+/// "4 faces to depth 3: +912 faces".
+[[nodiscard]] std::string forecast_text(const PaintForecast& forecast);
+
 /// What the mouse does now in the viewport: "Left drag: depth +1 · Shift: depth −1 · ...".
 [[nodiscard]] std::string mouse_hint(const Model& model, const ViewportInput& input);
 

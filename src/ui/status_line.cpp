@@ -1,7 +1,10 @@
 // Left: what the mouse will do now, which follows the tool and the keys held. Right: the face under
-// the cursor, and how many faces the mesh costs against uniform subdivision.
+// the cursor, what a click would cost, and how many faces the mesh costs against uniform
+// subdivision.
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "limn/document/document.h"
@@ -19,15 +22,28 @@ std::string edge_text(const EdgeHover& edge) {
   return grouped(edge.vertices[0]) + " – " + grouped(edge.vertices[1]);
 }
 
+/// "depth +1" or "set depth 3".
+std::string change_text(const BrushSettings& brush) {
+  return brush.sets_depth ? "set depth " + std::to_string(brush.target_depth)
+                          : std::string("depth +1");
+}
+
 std::string tool_hint(const Model& model) {
   const BrushSettings& brush = model.brush;
   switch (brush.tool) {
     case Tool::kPaint:
-      return (brush.sets_depth ? "Left drag: set depth " + std::to_string(brush.target_depth)
-                               : std::string("Left drag: depth +1")) +
-             " · Shift: −1";
+      return "Left drag: " + change_text(brush) +
+             (brush.shift_draws_lines ? " · Shift + click: line · Ctrl: −1" : " · Shift: −1");
     case Tool::kLower:
-      return "Left drag: depth −1";
+      return "Left drag: depth −1 · Shift + click: line";
+    case Tool::kFill:
+      return "Click: fill this depth's region, " + change_text(brush) + " · Shift: −1";
+    case Tool::kSmartFill:
+      return "Click: fill up to the angle, " + change_text(brush) + " · Shift: −1";
+    case Tool::kRectangle:
+      return "Left drag: rectangle, " + change_text(brush) + " · Shift: −1";
+    case Tool::kLasso:
+      return "Left drag: lasso, " + change_text(brush) + " · Shift: −1";
     case Tool::kPick:
       return "Click: pick the depth of this face";
     case Tool::kSplitEdge:
@@ -43,10 +59,32 @@ std::string tool_hint(const Model& model) {
 }
 
 std::string drag_hint(const Model& model) {
-  if (model.is_stroking) {
-    return "Painting: each face changes once a stroke · Release: done · Esc: give it up";
+  if (!model.is_stroking) {
+    return "Moving the view";
   }
-  return "Moving the view";
+  if (is_area(model.brush.tool)) {
+    return "Release: paint these faces · Esc: give it up";
+  }
+  return "Painting: each face changes once a stroke · Release: done · Esc: give it up";
+}
+
+/// What the left button does with Shift or Ctrl held.
+std::string lowering_hint(const Model& model, const Modifiers& held) {
+  const BrushSettings& brush = model.brush;
+  const std::string keys = held.ctrl ? "Ctrl + " : "Shift + ";
+  const bool draws_line = held.shift && (brush.tool == Tool::kLower ||
+                                         (brush.tool == Tool::kPaint && brush.shift_draws_lines));
+  if (draws_line) {
+    const bool lowers = held.ctrl || brush.tool == Tool::kLower;
+    return "Click: straight line from the last stroke, " +
+           (lowers ? std::string("depth −1") : change_text(brush));
+  }
+  const std::string how = is_fill(brush.tool) ? "click" : "left drag";
+  const bool pans_by_shift = model.navigation.preset == NavigationPreset::kOriginal;
+  return keys + how + ": depth −1" +
+         (held.ctrl       ? " · Ctrl + wheel: brush size"
+          : pans_by_shift ? " · Shift + middle drag: pan"
+                          : "");
 }
 
 /// "12,480 faces, 31 % of uniform"; of the mesh to come while there is none.
@@ -75,6 +113,20 @@ float width_of(const std::string& text) {
 
 }  // namespace
 
+std::string forecast_text(const PaintForecast& forecast) {
+  if (forecast.faces == 0) {
+    return "no face changes";
+  }
+  const std::string sign = forecast.amount < 0 ? "−" : "+";
+  const std::string target = forecast.depth
+                                 ? " to depth " + std::to_string(*forecast.depth)
+                                 : " by " + sign + std::to_string(std::abs(forecast.amount));
+  const std::string added =
+      (forecast.added_faces < 0 ? "−" : "+") +
+      counted(static_cast<std::uint64_t>(std::abs(forecast.added_faces)), "face");
+  return counted(forecast.faces, "face") + target + ": " + added;
+}
+
 std::string mouse_hint(const Model& model, const ViewportInput& input) {
   if (input.owns_drag) {
     return drag_hint(model);
@@ -83,14 +135,8 @@ std::string mouse_hint(const Model& model, const ViewportInput& input) {
   if (held.alt) {
     return "Alt + left drag: orbit · Middle: pan · Right: zoom";
   }
-  const bool is_brush = model.brush.tool == Tool::kPaint || model.brush.tool == Tool::kLower;
-  if (held.ctrl && is_brush) {
-    return "Ctrl + left drag: depth −1 · Ctrl + wheel: brush size";
-  }
-  if (held.shift && is_brush) {
-    return model.navigation.preset == NavigationPreset::kOriginal
-               ? "Shift + left drag: depth −1 · Shift + middle drag: pan"
-               : "Shift + left drag: depth −1";
+  if ((held.ctrl || held.shift) && is_painting(model.brush.tool)) {
+    return lowering_hint(model, held);
   }
   const bool is_orbit = model.brush.tool == Tool::kOrbit;
   const std::string camera(navigation_hint(model.navigation.preset, is_orbit));
@@ -120,6 +166,15 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
   float right = origin.x + width - pad - width_of(cost);
   list.AddText({std::floor(right), y}, context.colours.text, cost.c_str());
   right -= context.px(20);
+  if (is_painting(context.model.brush.tool) && !context.model.document.scheme) {
+    // The place is kept while nothing is known, so that nothing else moves when it is.
+    const std::string text =
+        context.model.forecast ? forecast_text(*context.model.forecast) : std::string();
+    const float slot = width_of("88 faces to depth 8: +88,888 faces");
+    right -= std::max(slot, width_of(text));
+    list.AddText({std::floor(right), y}, context.colours.text, text.c_str());
+    right -= context.px(20);
+  }
   if (const std::optional<HoverInfo>& hover = context.model.hover) {
     const std::string face =
         "Face " + grouped(hover->face) + ", depth " + std::to_string(hover->depth);

@@ -1,6 +1,9 @@
-// Six tools, then the things one reaches for all the time; help at the foot.
+// The tools, then the things one reaches for all the time; help at the foot. In a low window all of
+// them are smaller.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -13,22 +16,34 @@ struct Entry {
   Icon icon;
 };
 
-constexpr std::array<Entry, 6> kTools{{{ActionId::kToolPaint, Icon::kRingPlus},
-                                       {ActionId::kToolLower, Icon::kRingMinus},
-                                       {ActionId::kToolPick, Icon::kDropper},
-                                       {ActionId::kToolOrbit, Icon::kOrbit},
-                                       {ActionId::kToolSplitEdge, Icon::kSplitEdge},
-                                       {ActionId::kToolFlipEdge, Icon::kFlipEdge}}};
+constexpr std::array<Entry, 10> kTools{{{ActionId::kToolPaint, Icon::kRingPlus},
+                                        {ActionId::kToolLower, Icon::kRingMinus},
+                                        {ActionId::kToolFill, Icon::kBucket},
+                                        {ActionId::kToolSmartFill, Icon::kWand},
+                                        {ActionId::kToolRectangle, Icon::kRectangle},
+                                        {ActionId::kToolLasso, Icon::kLasso},
+                                        {ActionId::kToolPick, Icon::kDropper},
+                                        {ActionId::kToolOrbit, Icon::kOrbit},
+                                        {ActionId::kToolSplitEdge, Icon::kSplitEdge},
+                                        {ActionId::kToolFlipEdge, Icon::kFlipEdge}}};
 constexpr std::array<Entry, 3> kOften{{{ActionId::kUndo, Icon::kUndo},
                                        {ActionId::kRedo, Icon::kRedo},
                                        {ActionId::kFrameAll, Icon::kFrame}}};
 
+/// As large as lets all of them stand below each other.
+float button_side(const PanelContext& context, float height) {
+  constexpr auto kRows = static_cast<float>(kTools.size() + kOften.size() + 1);
+  // The rim above and below, the line between, and a gap below each button.
+  const float taken = context.px(2 * 8) + context.px(2 * 4 + 2 * 4) + kRows * context.px(4);
+  return std::floor(std::clamp((height - taken) / kRows, context.px(24), context.px(36)));
+}
+
 }  // namespace
 
 void draw_tool_strip(PanelContext& context, const WindowRect& place) {
-  const float side = context.px(36);
   const auto width = static_cast<float>(place.size.width);
   const auto height = static_cast<float>(place.size.height);
+  const float side = button_side(context, height);
   const ImVec2 origin{static_cast<float>(place.origin.x), static_cast<float>(place.origin.y)};
   ImGui::SetNextWindowPos(origin);
   ImGui::SetNextWindowSize({width, height});

@@ -34,8 +34,10 @@ class SheetPicker final : public ViewportPicker {
     face.position = render::world_at(camera, point, face.view_depth);
     return face;
   }
-  [[nodiscard]] std::vector<std::uint32_t> brush(const render::BrushCapsule& capsule) override {
-    return capsule.from.x < 400.0 ? std::vector<std::uint32_t>{0} : std::vector<std::uint32_t>{};
+  [[nodiscard]] std::vector<std::uint32_t> faces_in(const render::ScreenRegion& region,
+                                                    Reach) override {
+    return region.box().low.x < 400.0 ? std::vector<std::uint32_t>{0}
+                                      : std::vector<std::uint32_t>{};
   }
 
  private:

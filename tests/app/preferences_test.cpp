@@ -28,7 +28,13 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereSaved) {
   saved.keymap = ui::KeymapId::kClassroom;
   saved.navigation = {ui::NavigationPreset::kMouseOnly, false};
   saved.display.material = ui::Material::kDark;
-  saved.brush_radius = 37.5;
+  saved.brush.radius = 37.5;
+  saved.brush.sets_depth = true;
+  saved.brush.target_depth = 4;
+  saved.brush.fill_angle = 75.0;
+  saved.brush.goes_through = true;
+  saved.brush.shift_draws_lines = true;
+  saved.brush.mirror = {.x = true, .z = true};
   saved.dihedral_threshold = 12.25;
   saved.crease_sharpness = 3.75;
   saved.display.creases = !saved.display.creases;
@@ -76,7 +82,7 @@ TEST_F(PreferencesTest, NumbersOutOfRangeAreBroughtIntoIt) {
             "window": {"width": 3, "height": 1000000}, "unknown": true})");
   const auto loaded = load_preferences(path_);
   ASSERT_TRUE(loaded.has_value()) << to_string(loaded.error());
-  EXPECT_EQ(loaded->brush_radius, ui::kMaxBrushRadius);
+  EXPECT_EQ(loaded->brush.radius, ui::kMaxBrushRadius);
   EXPECT_EQ(loaded->dihedral_threshold, 0.0);
   EXPECT_GE(loaded->layout.panel_width, 200.0);
   EXPECT_EQ(loaded->window, (ui::WindowSize{640.0, 16384.0}));

@@ -31,20 +31,20 @@ class StripPicker final : public ViewportPicker {
     return face;
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> brush(const render::BrushCapsule& capsule) override {
-    last = capsule;
-    const double low = std::min(capsule.from.x, capsule.to.x) - capsule.radius;
-    const double high = std::max(capsule.from.x, capsule.to.x) + capsule.radius;
+  /// Strips from the left to the right end of the region. Through, those of the other side too.
+  [[nodiscard]] std::vector<std::uint32_t> faces_in(const render::ScreenRegion& region,
+                                                    Reach reach) override {
+    last_reach = reach;
     std::vector<std::uint32_t> faces;
     for (std::uint32_t face = 0; face < 6; ++face) {
-      if (low < 100.0 * (face + 1) && high >= 100.0 * face) {
+      if (region.box().low.x < 100.0 * (face + 1) && region.box().high.x >= 100.0 * face) {
         faces.push_back(face);
       }
     }
     return faces;
   }
 
-  render::BrushCapsule last;
+  std::optional<Reach> last_reach;
 };
 
 /// One face, wherever the mouse is.
@@ -56,7 +56,7 @@ class FacePickerStub final : public ViewportPicker {
     face.control_face = face_;
     return face;
   }
-  [[nodiscard]] std::vector<std::uint32_t> brush(const render::BrushCapsule&) override {
+  [[nodiscard]] std::vector<std::uint32_t> faces_in(const render::ScreenRegion&, Reach) override {
     return {face_};
   }
 

@@ -408,6 +408,9 @@ TEST(Panels, EveryActionIsReachable) {
     screen.settle();
     look();
   }
+  screen.model.brush.tool = Tool::kSmartFill;
+  screen.settle();
+  look();
   for (const Modal& modal :
        {Modal(OverBudgetQuestion{}), Modal(UnsavedQuestion{}), Modal(RecoveryQuestion{})}) {
     screen.model.modal = modal;

@@ -44,6 +44,43 @@ TEST(StatusLine, SaysWhatTheMouseWillDo) {
   EXPECT_THAT(mouse_hint(screen.model, input), HasSubstr("Esc"));
 }
 
+TEST(StatusLine, NamesWhatEachPaintingToolDoes) {
+  Screen screen;
+  ViewportInput input;
+  const auto hint = [&](Tool tool) {
+    screen.model.brush.tool = tool;
+    return mouse_hint(screen.model, input);
+  };
+  EXPECT_THAT(hint(Tool::kFill), HasSubstr("Click: fill this depth's region, depth +1"));
+  EXPECT_THAT(hint(Tool::kSmartFill), HasSubstr("Click: fill up to the angle"));
+  EXPECT_THAT(hint(Tool::kRectangle), HasSubstr("Left drag: rectangle, depth +1 · Shift: −1"));
+  EXPECT_THAT(hint(Tool::kLasso), HasSubstr("Left drag: lasso"));
+  EXPECT_THAT(hint(Tool::kLower), HasSubstr("Shift + click: line"));
+  input.modifiers.shift = true;
+  EXPECT_THAT(hint(Tool::kLower), HasSubstr("straight line from the last stroke, depth −1"));
+  EXPECT_THAT(hint(Tool::kFill), HasSubstr("Shift + click: depth −1"));
+  EXPECT_THAT(hint(Tool::kPaint), HasSubstr("Shift + left drag: depth −1"));
+  screen.model.brush.shift_draws_lines = true;
+  EXPECT_THAT(hint(Tool::kPaint), HasSubstr("straight line from the last stroke, depth +1"));
+  input.modifiers = {};
+  EXPECT_THAT(hint(Tool::kPaint), HasSubstr("Shift + click: line · Ctrl: −1"));
+  input.owns_drag = true;
+  screen.model.is_stroking = true;
+  EXPECT_THAT(hint(Tool::kLasso), HasSubstr("Release: paint these faces · Esc"));
+}
+
+TEST(StatusLine, TellsWhatAClickCosts) {
+  EXPECT_EQ(forecast_text({.faces = 4, .depth = 3, .amount = 1, .added_faces = 912}),
+            "4 faces to depth 3: +912 faces");
+  EXPECT_EQ(forecast_text({.faces = 1, .depth = 0, .amount = -1, .added_faces = -12345}),
+            "1 face to depth 0: −12,345 faces");
+  EXPECT_EQ(forecast_text({.faces = 1200, .depth = std::nullopt, .amount = 1, .added_faces = 1}),
+            "1,200 faces by +1: +1 face");
+  EXPECT_EQ(forecast_text({.faces = 2, .depth = std::nullopt, .amount = -1, .added_faces = 0}),
+            "2 faces by −1: +0 faces");
+  EXPECT_EQ(forecast_text({}), "no face changes");
+}
+
 TEST(Legend, IsDrawnAloneInItsCorner) {
   Screen screen;
   DepthCounts counts{};
