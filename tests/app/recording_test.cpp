@@ -41,7 +41,7 @@ RecordingHead some_head() {
   head.input = "bäh.obj";
   head.screen = {{640.0, 480.0}, {1280, 960}, {1.5, 2.0}};
   head.preferences.keymap = ui::KeymapId::kClassroom;
-  head.preferences.brush_radius = 33.25;
+  head.preferences.brush.radius = 33.25;
   head.memory_budget = std::uint64_t{1} << 40U;
   head.files = {OpenedFile{"bäh.obj", all_bytes()}, OpenedFile{"cube", std::nullopt}};
   return head;
@@ -88,7 +88,7 @@ TEST(Recording, ReadsWhatItWrites) {
   EXPECT_EQ(read->head.input, head.input);
   EXPECT_EQ(read->head.screen, head.screen);
   EXPECT_EQ(read->head.preferences.keymap, head.preferences.keymap);
-  EXPECT_EQ(read->head.preferences.brush_radius, head.preferences.brush_radius);
+  EXPECT_EQ(read->head.preferences.brush.radius, head.preferences.brush.radius);
   EXPECT_EQ(read->head.memory_budget, head.memory_budget);
   EXPECT_EQ(read->head.files, head.files);
   ASSERT_EQ(read->turns.size(), 1u);
