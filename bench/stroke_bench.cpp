@@ -20,6 +20,7 @@
 #include "app/offscreen.h"
 #include "limn/document/open.h"
 #include "limn/mesh/refined_mesh.h"
+#include "render/context/gl_context.h"
 #include "render/context/load_gl.h"
 
 namespace limn::bench {
@@ -74,6 +75,11 @@ class Loop {
   }
   [[nodiscard]] std::size_t refined_faces() {
     return offscreen_.workbench().session().refinement().refined()->mesh->face_count();
+  }
+  /// Labels and refinement, as the panel tells them.
+  [[nodiscard]] double refining_seconds() {
+    const auto result = offscreen_.workbench().session().refinement().status().result;
+    return result ? result->legalise_seconds + result->refine_seconds : 0.0;
   }
 
  private:
@@ -138,9 +144,9 @@ void measure(const std::string& mesh, int depth, int repeat) {
     }
   }
   std::ranges::sort(seconds);
-  fmt::print("| {} | {} | {} | {:.0f} | {:.0f} | {} |\n", mesh, loop.control_faces(),
-             loop.refined_faces(), 1e3 * seconds[seconds.size() / 2], 1e3 * seconds.back(),
-             most_frames);
+  fmt::print("| {} | {} | {} | {:.0f} | {:.0f} | {:.0f} | {} |\n", mesh, loop.control_faces(),
+             loop.refined_faces(), 1e3 * loop.refining_seconds(), 1e3 * seconds[seconds.size() / 2],
+             1e3 * seconds.back(), most_frames);
 }
 
 }  // namespace
@@ -160,11 +166,13 @@ int main(int argc, char** argv) {
   }
   try {
     fmt::print(
-        "| mesh | control faces | refined faces | median, ms | worst, ms | frames later |\n"
-        "|---|--:|--:|--:|--:|--:|\n");
+        "| mesh | control faces | refined faces | of it refining, ms | median, ms | worst, ms | "
+        "frames later |\n"
+        "|---|--:|--:|--:|--:|--:|--:|\n");
     for (const int depth : {2, 3, 4}) {
       limn::bench::measure("creature", depth, repeat);
     }
+    const auto context = limn::render::create_headless_context();
     fmt::print("\n{}, 1280 x 800.\n", limn::render::renderer_text());
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
