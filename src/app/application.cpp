@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -144,8 +145,9 @@ void Application::wait() {
 }
 
 bool Application::take_news(double now) {
-  const Workbench::News news{window_->take_dropped_files(), window_->take_close_request(),
-                             window_->take_moved_under_alt()};
+  Workbench::News news{std::exchange(dropped_, {}), window_->take_close_request(),
+                       window_->take_moved_under_alt()};
+  std::ranges::move(window_->take_dropped_files(), std::back_inserter(news.dropped_files));
   if (recorder_ != nullptr) {
     recorder_->begin_turn(news, now);
   }

@@ -32,6 +32,9 @@ class Application {
   /// Begins the recording: the head says how the project was come by. Before `run`.
   void begin_recording(std::string input, std::string project);
 
+  /// As if this file were dropped on the window.
+  void drop(std::filesystem::path file) { dropped_.push_back(std::move(file)); }
+
   /// Runs until the person quits. Throws render::EnvironmentError.
   void run();
 
@@ -56,7 +59,8 @@ class Application {
   Recorder* recorder_;
   Workbench workbench_;
 
-  double last_frame_ = 0.0;  ///< When it was, in seconds.
+  std::vector<std::filesystem::path> dropped_;  ///< Beside those that the window knows of.
+  double last_frame_ = 0.0;                     ///< When it was, in seconds.
   bool needs_another_frame_ = true;
   bool wants_text_ = false;
   double rebuilt_at_ = 0.0;  ///< When the graphics were built anew, in seconds,

@@ -13,6 +13,7 @@
 #include "app/recovery_store.h"
 #include "app/user_folders.h"
 #include "limn/mesh/bundled.h"
+#include "render/environment_error.h"
 
 namespace limn::app {
 
@@ -30,23 +31,35 @@ std::string input_of(const WindowOptions& options) {
   return options.input.empty() ? std::string(kDefaultMesh) : options.input;
 }
 
-Result<void> run(Project project, const WindowOptions& options, Recorder* recorder,
-                 std::string project_text) {
+/// How a run comes by its document.
+struct Beginning {
+  Project project;
+  std::string input;                 ///< What was opened; or
+  std::string text;                  ///< the text of the project that was there already.
+  std::filesystem::path bad_file{};  ///< To be tried again in the window, which then says why not;
+  Error problem{};                   ///< what was wrong with it.
+};
+
+Result<void> run(Beginning beginning, const WindowOptions& options, Recorder* recorder) {
   const std::filesystem::path kept = preferences_path();
   const auto loaded = load_preferences(kept);
   const Preferences preferences = loaded.value_or(Preferences{});
 
   Application application(options.is_classroom ? for_classroom(preferences) : preferences,
-                          std::move(project), recorder);
+                          std::move(beginning.project), recorder);
   application.set_status_file(options.status_file);
   if (recorder != nullptr) {
-    application.begin_recording(input_of(options), std::move(project_text));
+    application.begin_recording(std::move(beginning.input), std::move(beginning.text));
   } else {
     // What earlier runs have left is not this recording's; the next run asks.
     application.offer(find_lost_work(recovery_folder()));
     if (!loaded) {
       application.toast(ui::Toast::Kind::kProblem, to_string(loaded.error()));
     }
+  }
+  if (!beginning.bad_file.empty()) {
+    spdlog::error("{}", to_string(beginning.problem));
+    application.drop(std::move(beginning.bad_file));
   }
   application.run();
 
@@ -78,10 +91,21 @@ Result<void> run_window(const WindowOptions& options) {
   FileAccess& files = *recorder != nullptr ? static_cast<FileAccess&>(**recorder) : disk();
   // Read first: a bad file is told on the terminal it was named on.
   auto project = files.open(input_of(options));
-  if (!project) {
-    return tl::unexpected(std::move(project.error()));
+  if (project) {
+    return run({*std::move(project), input_of(options), {}}, options, recorder->get());
   }
-  return run(*std::move(project), options, recorder->get(), {});
+  const Error error = std::move(project.error());
+  if (*recorder != nullptr) {
+    (*recorder)->forget();
+  }
+  // And in the window, for who came by the desktop and sees no terminal.
+  Project usual = files.open(std::string(kDefaultMesh)).value();
+  try {
+    return run({std::move(usual), std::string(kDefaultMesh), {}, options.input, error}, options,
+               recorder->get());
+  } catch (const render::EnvironmentError&) {
+    return tl::unexpected(error);
+  }
 }
 
 Result<void> run_window(Project project, const WindowOptions& options) {
@@ -95,7 +119,7 @@ Result<void> run_window(Project project, const WindowOptions& options) {
     write_project(out, project.document, project.view);
     text = std::move(out).str();
   }
-  return run(std::move(project), options, recorder->get(), std::move(text));
+  return run({std::move(project), {}, std::move(text)}, options, recorder->get());
 }
 
 }  // namespace limn::app

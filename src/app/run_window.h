@@ -28,8 +28,9 @@ struct WindowOptions {
 void add_window_options(CLI::App& program, WindowOptions& options);
 
 /// Opens the window and runs until it is closed.
-/// Errors: kBadInput where the input cannot be opened; then no window opens.
-/// Throws render::EnvironmentError where there is no display or no OpenGL 4.5.
+/// An input that cannot be opened is told in the window, over the creature; where there is no
+/// window either, that is the error, kBadInput. Throws render::EnvironmentError where there is no
+/// display or no OpenGL 4.5.
 [[nodiscard]] Result<void> run_window(const WindowOptions& options);
 /// The same with what was opened before; `options.input` is not looked at.
 [[nodiscard]] Result<void> run_window(Project project, const WindowOptions& options);

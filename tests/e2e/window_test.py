@@ -29,6 +29,22 @@ def check_bad_file(executable, folder):
     assert done.returncode == 3 and "none.obj" in done.stderr, done
 
 
+def check_bad_file_in_window(executable, display, folder):
+    """Who came by the desktop sees no terminal: the window says what is wrong with the file."""
+    path = os.path.join(folder, "bad.obj")
+    program = Program(executable, [path], display, folder)
+    try:
+        state = program.wait_for("it says so", lambda s: s["modal"] == "error")
+        assert state["title"] == "creature - Limn", state["title"]
+        assert "bad.obj:4" in program.log(), program.log()
+        program.key("Escape")
+        program.wait_for("the creature is there to go on with", lambda s: not s["modal"])
+        program.close_window()
+        assert program.wait_for_exit() == 0
+    finally:
+        program.kill()
+
+
 def check_no_display(executable, mesh, folder):
     done = run_to_end(executable, [mesh], folder)
     assert done.returncode == 1, done
@@ -133,6 +149,7 @@ def main():
         check_small_screen(executable, folder)
         display = Display()
         try:
+            check_bad_file_in_window(executable, display, folder)
             check_unsaved_and_preferences(executable, display, folder)
             check_recovery(executable, display, folder)
         finally:

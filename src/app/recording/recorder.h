@@ -25,6 +25,8 @@ class Recorder final : public Arrivals, public FileAccess {
   /// Errors: kFailed where the file cannot be written.
   [[nodiscard]] static Result<std::unique_ptr<Recorder>> create(const std::filesystem::path& path);
 
+  /// As if nothing had been asked for yet. Before `begin`.
+  void forget() { turn_ = {}; }
   /// The head, without its files: those asked for until now are added.
   void begin(RecordingHead head);
   void add(const ui::InputEvent& event) { turn_.events.push_back(event); }
