@@ -5,26 +5,32 @@
 
 struct Marker {
   float x, y, z;
-  uint number_and_style;  // number | style << 8
+  uint number_and_style;  // number | style << 8 | second number << 16 | text << 24
 };
 layout(std430, binding = 8) restrict readonly buffer Markers { Marker markers[]; };
 
-const float kReach = 10.0;  // the largest marker's half side, in units of the interface
+const float kReach = 10.0;  // the largest dot's half side, in units of the interface
+const float kPillReach = 28.0;
+const uint kCandidate = 8u;
 
 out vec2 from_centre;  // pixels, y up
 flat out uint number;
 flat out uint shade;  // of the palette
 flat out uint style;
+flat out uint second;
+flat out uint text;
 
 void main() {
   Marker marker = markers[uint(gl_VertexID) / 6];
   uint part = uint(gl_VertexID) % 6;
   number = marker.number_and_style & 0xFFu;
   shade = min(number, 7u);
-  style = marker.number_and_style >> 8;
+  style = marker.number_and_style >> 8 & 0xFFu;
+  second = marker.number_and_style >> 16 & 0xFFu;
+  text = marker.number_and_style >> 24;
 
   vec4 centre = clip_from_local * vec4(marker.x, marker.y, marker.z, 1.0);
-  float reach = kReach * viewport.z;
+  float reach = (style >= kCandidate ? kPillReach : kReach) * viewport.z;
   // Towards the eye by as much as the marker is wide, so that the surface around its point does not
   // cut into it, while markers on the far side stay hidden.
   vec4 eye = view_from_local * vec4(marker.x, marker.y, marker.z, 1.0);

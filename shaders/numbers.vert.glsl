@@ -26,6 +26,8 @@ out vec2 from_centre;  // pixels, y up
 flat out uint number;
 flat out uint shade;
 flat out uint style;
+flat out uint second;
+flat out uint text;
 
 vec2 pixels_of(vec4 clip) { return clip.xy / clip.w * 0.5 * viewport.xy; }
 
@@ -51,6 +53,8 @@ void main() {
   number = has_option(kColourByLevel) ? record >> 28 : depth_of_face(record & 0x0FFFFFFFu);
   shade = has_option(kColourByLevel) || has_option(kColourByDepth) ? min(number, 7u) : 0u;
   style = kFaceNumber;
+  second = 0u;
+  text = 0u;
   if (number == 0) {
     drop();
     return;

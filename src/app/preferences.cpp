@@ -119,6 +119,7 @@ Preferences from_json(const Json& json) {
   panel.read("width", preferences.layout.panel_width, 200.0, 1000.0);
   panel.read("paint_open", preferences.layout.paint_open);
   panel.read("subdivide_open", preferences.layout.subdivide_open);
+  panel.read("steps_open", preferences.layout.steps_open);
   panel.read("schemes_open", preferences.layout.schemes_open);
   panel.read("display_open", preferences.layout.display_open);
   panel.read("numbers_open", preferences.layout.numbers_open);
@@ -167,6 +168,7 @@ Json to_json(const Preferences& preferences) {
        {{"width", layout.panel_width},
         {"paint_open", layout.paint_open},
         {"subdivide_open", layout.subdivide_open},
+        {"steps_open", layout.steps_open},
         {"schemes_open", layout.schemes_open},
         {"display_open", layout.display_open},
         {"numbers_open", layout.numbers_open},

@@ -51,9 +51,9 @@ void Session::carry_out(const ui::Action& action) {
   const bool is_known = perform_answer(action) || perform_recovery(action) ||
                         perform_program(action) || perform_file(action) || perform_edit(action) ||
                         perform_rule(action) || perform_creases(action) || perform_brush(action) ||
-                        perform_subdivision(action) || perform_scheme(action) ||
-                        perform_scheme_choice(action) || perform_edge(action) ||
-                        perform_display(action) || perform_camera(action) ||
+                        perform_subdivision(action) || perform_steps(action) ||
+                        perform_scheme(action) || perform_scheme_choice(action) ||
+                        perform_edge(action) || perform_display(action) || perform_camera(action) ||
                         perform_navigation(action) || perform_report(action);
   LIMN_EXPECTS(is_known);
   update_facts();
@@ -244,6 +244,8 @@ void Session::cancel() {
     refinement_.cancel();
     export_path_.reset();
     toast(Kind::kNote, "Refinement stopped. The last finished one stays in view.");
+  } else if (steps_.is_shown()) {
+    steps_.show(false);
   } else {
     mend_focus_.reset();
   }
@@ -316,6 +318,7 @@ ui::Model Session::model() const {
       .dihedral_edges = facts_.dihedral_edges(),
       .crease_sharpness = crease_sharpness_,
       .refinement = refinement_.status(),
+      .steps = steps_.status(),
       .scheme = scheme_status(),
       .second = second_status(),
       .sphere = sphere_.status(sphere_question()),

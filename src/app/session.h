@@ -16,6 +16,7 @@
 #include "app/camera_motion.h"
 #include "app/export_job.h"
 #include "app/file_access.h"
+#include "app/legalisation_stepper.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
 #include "app/paint_tools/forecast_job.h"
@@ -93,6 +94,7 @@ class Session {
   /// Irregular vertices of what either half shows; empty unless they are to be seen.
   [[nodiscard]] const ShownValences& valences() const noexcept { return valences_; }
   [[nodiscard]] const ShownValences& second_valences() const noexcept { return second_valences_; }
+  [[nodiscard]] const LegalisationStepper& steps() const noexcept { return steps_; }
   [[nodiscard]] const ui::DisplaySettings& display() const noexcept { return display_; }
   [[nodiscard]] const ui::BrushSettings& brush() const noexcept { return brush_; }
   [[nodiscard]] const ui::Modal& modal() const noexcept { return modal_; }
@@ -176,6 +178,9 @@ class Session {
   bool perform_subdivision(const ui::Action& action);
   bool perform_brush(const ui::Action& action);  // session_tools.cpp, as what follows it
   bool perform_tool(const ui::Action& action);
+  bool perform_steps(const ui::Action& action);  // session_steps.cpp
+  void seek_step(std::size_t position);
+  void follow_steps();
   bool perform_scheme(const ui::Action& action);  // session_schemes.cpp, as what follows it
   bool perform_scheme_choice(const ui::Action& action);
   bool perform_edge(const ui::Action& action);
@@ -250,6 +255,7 @@ class Session {
   SchemeFacts scheme_facts_;
   SchemeFacts second_facts_;
   ShownLevels levels_;
+  LegalisationStepper steps_;
   ShownValences valences_;
   ShownValences second_valences_;
 

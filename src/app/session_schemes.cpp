@@ -247,6 +247,7 @@ void Session::update_facts() {
   // Nothing refined from another mesh may be shown from now on, in the second half neither: it may
   // have been closed when the mesh changed.
   follow_second();
+  follow_steps();
   if (display_.tint == ui::Tint::kLevel) {
     levels_.update(document_.control, shows_refined() ? refinement_.refined()->mesh : nullptr);
   }

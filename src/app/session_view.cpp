@@ -96,8 +96,8 @@ bool Session::set_material(ui::Material material) {
 }
 
 bool Session::shows_refined() const noexcept {
-  return shown_levels() > 0 && display_.show != ui::ShowMode::kControl &&
-         refinement_.refined() != nullptr;
+  return shown_levels() > 0 && steps_.moment() == nullptr &&
+         display_.show != ui::ShowMode::kControl && refinement_.refined() != nullptr;
 }
 
 bool Session::perform_camera(const ui::Action& action) {

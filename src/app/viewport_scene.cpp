@@ -203,7 +203,9 @@ void ViewportScene::sync_labels(const Session& session) {
   const LiveRefinement& refinement = session.refinement();
   const ui::DisplaySettings& display = session.display();
   const bool is_on_refined = refined_.is_there && session.shows_refined();
+  const LegalisationStepper& steps = session.steps();
   const LabelKey key{refinement.labels_revision(),
+                     steps.moment() != nullptr ? steps.revision() : 0,
                      is_on_refined ? refinement.refined_revision() : 0,
                      display.labels,
                      display.illegal_marks,
@@ -217,7 +219,13 @@ void ViewportScene::sync_labels(const Session& session) {
   const DerivedLabels* labels = refinement.labels();
   std::vector<render::Marker> markers;
   std::span<const std::uint32_t> illegal_faces;
-  if (labels != nullptr) {
+  if (const LegalisationStepper::Moment* moment = steps.moment(); moment != nullptr) {
+    illegal_faces = moment->illegal_faces;
+    markers =
+        render::step_markers(*document.control, steps.labels(),
+                             {moment->illegal_vertices, moment->raised_vertices, moment->candidates,
+                              moment->falling, steps.status().order, display.labels});
+  } else if (labels != nullptr) {
     const ControlMesh& mesh = *document.control;
     std::span<const std::uint32_t> illegal;
     if (key.shows_illegal && !key.is_legalised) {
@@ -287,7 +295,8 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
     paint_.set_highlighted(look.highlighted);
   }
   const render::Camera seen = camera(session, size);
-  const render::DrawSettings settings = draw_settings(session.display(), look.scale);
+  render::DrawSettings settings = draw_settings(session.display(), look.scale);
+  settings.shows_illegal_faces |= session.steps().moment() != nullptr;
   if (session.is_split()) {
     second_target_.resize({size.width, size.height});
     renderer_.draw(second_target_, seen,

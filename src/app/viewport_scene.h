@@ -144,6 +144,7 @@ class ViewportScene {
 
   struct LabelKey {
     std::uint64_t labels = 0;
+    std::uint64_t step = 0;
     std::uint64_t refined = 0;
     bool shows_labels = false;
     bool shows_illegal = false;

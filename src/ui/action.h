@@ -94,6 +94,13 @@ enum class ActionId : std::uint8_t {
   kTextureSmoothInside,
   kTextureLinear,
 
+  // Legalisation, step by step
+  kToggleSteps,
+  kStepFirst,
+  kStepPrevious,
+  kStepNext,
+  kStepLast,
+
   // Edges of triangle meshes
   kSplitEdge,  ///< The edge under the cursor.
   kFlipEdge,   ///< The edge under the cursor.

@@ -192,6 +192,15 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "at "
      "the edges of the control mesh."},
 
+    {kToggleSteps, kRefine, ValueKind::kToggle, "Show the steps",
+     "See how illegal vertices are removed, one step after the other: candidates with what they "
+     "are "
+     "weighed by, which one is picked, and why. Nothing is changed."},
+    {kStepFirst, kRefine, kNothing, "Before the first step", "What is illegal as it is painted."},
+    {kStepPrevious, kRefine, kNothing, "Previous step", "Take the last step back."},
+    {kStepNext, kRefine, kNothing, "Next step", "Raise the vertex that is picked."},
+    {kStepLast, kRefine, kNothing, "After the last step", "What all steps together make."},
+
     {kSplitEdge, kEdges, kNothing, "Split this edge",
      "Put a vertex in the middle of the edge under the cursor, whichever tool of the two for edges "
      "is taken up."},

@@ -61,6 +61,14 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kTextureSmoothInside:
     case ActionId::kTextureLinear:
       return model.statistics.uv_points > 0;
+    case ActionId::kToggleSteps:
+      return document.settings.scheme == RefinementScheme::kCatmullClark || model.steps.is_shown;
+    case ActionId::kStepFirst:
+    case ActionId::kStepPrevious:
+      return !model.steps.is_shown || model.steps.position > 0;
+    case ActionId::kStepNext:
+    case ActionId::kStepLast:
+      return !model.steps.is_shown || model.steps.position < model.steps.size;
     case ActionId::kSplitEdge:
     case ActionId::kFlipEdge:
       return model.hover_edge.has_value();
@@ -199,6 +207,8 @@ bool is_checked(const Model& model, const Action& action) {
       return display.valences;
     case ActionId::kToggleLive:
       return display.live;
+    case ActionId::kToggleSteps:
+      return model.steps.is_shown;
     case ActionId::kToggleNumbers:
       return display.numbers;
     case ActionId::kTintDepth:

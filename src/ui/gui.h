@@ -46,6 +46,7 @@ struct PanelLayout {
   double panel_width = 320.0;  ///< Design units.
   bool paint_open = true;
   bool subdivide_open = true;
+  bool steps_open = false;
   bool schemes_open = false;
   bool display_open = true;
   bool numbers_open = true;

@@ -148,6 +148,10 @@ std::vector<Binding> shared_bindings() {
       {{Key::kF7, kPlain}, kTintNone},
       {{Key::kRightArrow, kPlain}, kSchemeForward},
       {{Key::kLeftArrow, kPlain}, kSchemeBack},
+      {{Key::kRightArrow, kShift}, kStepNext},
+      {{Key::kLeftArrow, kShift}, kStepPrevious},
+      {{Key::kUpArrow, kShift}, kStepFirst},
+      {{Key::kDownArrow, kShift}, kStepLast},
       {{Key::kJ, kShift}, kCreaseDihedral},
 
       {{Key::kHome, kPlain}, kFrameAll},
@@ -295,7 +299,7 @@ std::string all_keys_text(KeymapId keymap, const Action& action) {
 bool repeats(ActionId id) noexcept {
   using enum ActionId;
   return id == kUndo || id == kRedo || id == kBrushBigger || id == kBrushSmaller || id == kZoomIn ||
-         id == kZoomOut;
+         id == kZoomOut || id == kStepNext || id == kStepPrevious;
 }
 
 }  // namespace limn::ui

@@ -134,6 +134,10 @@ void mesh_menu(PanelContext& context) {
     items(context, {kLegaliseLookAhead, kLegaliseGreedy});
     ImGui::EndMenu();
   }
+  if (begin_menu(context, "Step by step")) {
+    items(context, {kToggleSteps, kStepFirst, kStepPrevious, kStepNext, kStepLast});
+    ImGui::EndMenu();
+  }
   if (begin_menu(context, "Faces that are not quads")) {
     items(context, {kNonQuadsUniformFirstStep, kNonQuadsWherePainted});
     ImGui::EndMenu();

@@ -18,6 +18,7 @@
 #include "limn/painting/crease_palette.h"
 #include "limn/painting/mirror.h"
 #include "limn/painting/valence_palette.h"
+#include "limn/subdivision/legalisation_trace.h"
 #include "limn/subdivision/settings.h"
 #include "ui/navigation_settings.h"
 #include "ui/window_geometry.h"
@@ -65,7 +66,7 @@ struct DisplaySettings {
   /// Where no stage of the subdivision is asked for, the refined mesh is that of the painting to
   /// the end.
   bool live = true;
-  bool numbers = false;        ///< Depth or level on faces large enough to hold it.
+  bool numbers = false;  ///< Depth or level on faces large enough to hold it.
   Tint tint = Tint::kDepth;
   Material material = Material::kStudio;
   std::optional<SchemeSettings> second{};  ///< A uniform scheme beside what the document shows.
@@ -163,6 +164,20 @@ struct LegalityStatus {
   std::size_t relabelled = 0;        ///< Vertices that legalisation raises to 1.
   std::size_t deepened = 0;          ///< Faces made deeper than painted, for Loop's scheme.
   std::size_t left = 0;              ///< Illegal faces afterwards: 0, or Limn has a bug.
+};
+
+/// The removal of illegal vertices, step by step.
+struct StepperStatus {
+  bool is_shown = false;
+  bool has_trace = false;  ///< There are labels to follow; otherwise the rest is empty.
+  LegalisationMethod order = LegalisationMethod::kGreedy;
+  std::size_t position = 0;  ///< Steps made,
+  std::size_t size = 0;      ///< of so many.
+  std::size_t illegal_faces = 0;
+  std::size_t illegal_vertices = 0;
+  std::size_t raised = 0;
+  std::span<const LegalisationCandidate> candidates{};  ///< Of the next step, the picked one first.
+  std::span<const std::uint32_t> falling{};             ///< Vertices that it sets back to 0.
 };
 
 struct RefinementStatus {
@@ -330,6 +345,7 @@ struct Model {
   double crease_sharpness = 2.0;                ///< That "crease edges" gives, 0..10.
 
   RefinementStatus refinement{};
+  StepperStatus steps{};
   SchemeStatus scheme{};
   SecondStatus second{};
   SphereStatus sphere{};

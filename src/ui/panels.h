@@ -30,6 +30,7 @@ void close_popups();
 /// Sections of the side panel.
 void draw_paint_section(PanelContext& context);
 void draw_subdivide_section(PanelContext& context);
+void draw_steps_section(PanelContext& context);
 void draw_schemes_section(PanelContext& context);
 void draw_display_section(PanelContext& context);
 void draw_numbers_section(PanelContext& context);

@@ -70,6 +70,7 @@ void draw_side_panel(PanelContext& context, const WindowRect& place) {
   }
   section("PAINT", layout.paint_open, draw_paint_section);
   section("SUBDIVIDE", layout.subdivide_open, draw_subdivide_section);
+  section("STEP BY STEP", layout.steps_open, draw_steps_section);
   section("SCHEMES", layout.schemes_open, draw_schemes_section);
   section("DISPLAY", layout.display_open, draw_display_section);
   section("NUMBERS", layout.numbers_open, draw_numbers_section);

@@ -10,6 +10,43 @@
 namespace limn::render {
 namespace {
 
+TEST(Markers, AStepShowsWhoMattersAndThePickedOneLast) {
+  const auto mesh = test::cube();
+  const VertexLabels labels{0, 0, 0, 1, 0, 2, 0, 0};
+  const std::vector<std::uint32_t> illegal{0, 1, 2};
+  const std::vector<std::uint32_t> raised{3};
+  std::vector<LegalisationCandidate> candidates{{.vertex = 1, .valence = 3, .cost = 120},
+                                                {.vertex = 0, .valence = 2, .cost = 0}};
+  StepMarkers step{illegal, raised, candidates, {}};
+  std::vector<Marker> markers = step_markers(*mesh, labels, step);
+  ASSERT_EQ(markers.size(), 4U) << "an illegal one, a raised one, two candidates";
+  EXPECT_EQ(markers[0].style, MarkerStyle::kIllegal);
+  EXPECT_EQ(markers[1].style, MarkerStyle::kRelabelled);
+  EXPECT_EQ(markers[2].style, MarkerStyle::kCandidate);
+  EXPECT_EQ(markers[3].style, MarkerStyle::kPicked);
+  EXPECT_EQ(markers[3].position, glm::vec3(mesh->positions()[1]));
+  EXPECT_EQ(markers[3].number, 3);
+  EXPECT_EQ(markers[3].second, 99) << "as many as there is room for";
+  step.shows_labels = true;
+  EXPECT_EQ(step_markers(*mesh, labels, step).size(), 8U);
+
+  candidates = {{.vertex = 1, .score = 1.6F}, {.vertex = 0, .score = -2.4F}};
+  step.order = LegalisationMethod::kLookAhead;
+  markers = step_markers(*mesh, labels, step);
+  EXPECT_EQ(markers.back().text, MarkerText::kDecimal);
+  EXPECT_EQ(markers.back().number, 1);
+  EXPECT_EQ(markers.back().second, 6);
+  const Marker& other = markers[markers.size() - 2];
+  EXPECT_EQ(other.text, MarkerText::kNegative);
+  EXPECT_EQ(other.number, 2);
+  EXPECT_EQ(other.second, 4);
+
+  const std::vector<std::uint32_t> falling{3};
+  markers = step_markers(*mesh, labels, {{}, raised, {}, falling});
+  ASSERT_EQ(markers.size(), 1U);
+  EXPECT_EQ(markers[0].text, MarkerText::kBecomes);
+}
+
 TEST(Markers, LabelsStandAtTheirVertices) {
   const auto mesh = test::cube();
   const VertexLabels labels{0, 1, 2, 3, 4, 5, 6, 7};

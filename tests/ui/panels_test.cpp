@@ -369,9 +369,10 @@ TEST(Panels, EveryActionIsReachable) {
       reached.insert(binding.action.id);
     }
   }
-  Screen screen({1280, 2600});
+  Screen screen({1280, 3200});
   PanelLayout layout;
   layout.schemes_open = true;
+  layout.steps_open = true;
   screen.gui().set_layout(layout);
   screen.recent = {"/tmp/a.obj"};
   std::set<std::string> names;
@@ -394,6 +395,7 @@ TEST(Panels, EveryActionIsReachable) {
         std::pair("menu: Mesh", "menu: Boundary corners"),
         std::pair("menu: Mesh", "menu: Vertices"),
         std::pair("menu: Mesh", "menu: Texture coordinates"),
+        std::pair("menu: Mesh", "menu: Step by step"),
         std::pair("menu: View", "menu: Face colours"), std::pair("menu: View", "menu: Material"),
         std::pair("menu: View", "menu: Navigation")}) {
     screen.click(menu);

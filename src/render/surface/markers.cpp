@@ -1,6 +1,8 @@
 #include "render/surface/markers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "limn/contract.h"
 
@@ -14,17 +16,38 @@ struct MarkerRecord {
 };
 static_assert(sizeof(MarkerRecord) == 16);
 
+constexpr int kMostShown = 99;
+
+/// A candidate with what it is weighed by.
+Marker pill_of(const LegalisationCandidate& candidate, LegalisationMethod order,
+               const glm::dvec3& position) {
+  Marker marker{glm::vec3(position), MarkerStyle::kCandidate};
+  if (order == LegalisationMethod::kGreedy) {
+    const auto shown = [](std::uint32_t value) {
+      return static_cast<std::uint8_t>(std::min<std::uint32_t>(value, kMostShown));
+    };
+    marker.number = shown(candidate.valence);
+    marker.second = shown(candidate.cost);
+    return marker;
+  }
+  const int tenths = std::min(std::abs(static_cast<int>(std::lround(10.0F * candidate.score))),
+                              10 * kMostShown + 9);
+  marker.number = static_cast<std::uint8_t>(tenths / 10);
+  marker.second = static_cast<std::uint8_t>(tenths % 10);
+  marker.text = candidate.score < 0.0F ? MarkerText::kNegative : MarkerText::kDecimal;
+  return marker;
+}
+
 template <class PositionOf>
 std::vector<Marker> markers_at(std::span<const IrregularVertex> vertices,
                                PositionOf&& position_of) {
-  constexpr std::uint8_t kMostShown = 99;
   std::vector<Marker> markers;
   markers.reserve(vertices.size());
   for (const IrregularVertex& vertex : vertices) {
     const auto style = static_cast<std::uint8_t>(MarkerStyle::kValence);
     markers.push_back({glm::vec3(position_of(vertex.vertex)),
                        static_cast<MarkerStyle>(style + vertex.band),
-                       std::min(vertex.valence, kMostShown)});
+                       std::min<std::uint8_t>(vertex.valence, kMostShown)});
   }
   return markers;
 }
@@ -81,6 +104,50 @@ std::vector<Marker> valence_markers(const RefinedMesh& mesh,
   return markers_at(vertices, [&](std::uint32_t v) { return mesh.position(v) - origin; });
 }
 
+std::vector<Marker> step_markers(const ControlMesh& mesh, const VertexLabels& labels,
+                                 const StepMarkers& step) {
+  LIMN_EXPECTS(labels.size() == mesh.vertex_count());
+  const glm::dvec3 origin = mesh.bounds().centre();
+  const auto place = [&](std::uint32_t v) { return mesh.positions()[v] - origin; };
+  enum class Kind : std::uint8_t { kOther, kIllegal, kRaised, kFalling, kPill };
+  std::vector<Kind> kinds(labels.size(), Kind::kOther);
+  const auto mark = [&kinds](std::span<const std::uint32_t> vertices, Kind kind) {
+    for (const std::uint32_t v : vertices) {
+      kinds[v] = kind;
+    }
+  };
+  mark(step.illegal, Kind::kIllegal);
+  mark(step.raised, Kind::kRaised);
+  mark(step.falling, Kind::kFalling);
+  for (const LegalisationCandidate& candidate : step.candidates) {
+    kinds[candidate.vertex] = Kind::kPill;
+  }
+  std::vector<Marker> markers;
+  for (std::uint32_t v = 0; v < kinds.size(); ++v) {
+    const auto add = [&](MarkerStyle style, std::uint8_t number) {
+      markers.push_back({glm::vec3(place(v)), style, number});
+    };
+    if (kinds[v] == Kind::kIllegal) {
+      add(MarkerStyle::kIllegal, 0);
+    } else if (kinds[v] == Kind::kRaised) {
+      add(MarkerStyle::kRelabelled, labels[v]);
+    } else if (kinds[v] == Kind::kFalling) {
+      // What it will be, in the pill of the one that is picked.
+      markers.push_back({glm::vec3(place(v)), MarkerStyle::kPicked, 1, 0, MarkerText::kBecomes});
+    } else if (kinds[v] == Kind::kOther && step.shows_labels) {
+      add(MarkerStyle::kLabel, labels[v]);
+    }
+  }
+  // The best are drawn last, over the others.
+  for (std::size_t i = step.candidates.size(); i-- > 0;) {
+    markers.push_back(pill_of(step.candidates[i], step.order, place(step.candidates[i].vertex)));
+  }
+  if (!step.candidates.empty()) {
+    markers.back().style = MarkerStyle::kPicked;
+  }
+  return markers;
+}
+
 MarkerBuffers::MarkerBuffers()
     : no_attributes_(gl::VertexArray::create("markers")), records_(gl::Buffer::create("markers")) {}
 
@@ -89,9 +156,11 @@ void MarkerBuffers::upload(std::span<const Marker> markers, std::uint64_t revisi
   std::vector<MarkerRecord> records;
   records.reserve(markers.size());
   for (const Marker& marker : markers) {
-    LIMN_EXPECTS(marker.number < 100);
+    LIMN_EXPECTS(marker.number <= kMostShown && marker.second <= kMostShown);
     records.push_back({marker.position, static_cast<std::uint32_t>(marker.number) |
-                                            static_cast<std::uint32_t>(marker.style) << 8U});
+                                            static_cast<std::uint32_t>(marker.style) << 8U |
+                                            static_cast<std::uint32_t>(marker.second) << 16U |
+                                            static_cast<std::uint32_t>(marker.text) << 24U});
   }
   records_.upload(records);
   count_ = records.size();

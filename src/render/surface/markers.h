@@ -11,6 +11,7 @@
 #include "limn/mesh/refined_mesh.h"
 #include "limn/painting/valence_palette.h"
 #include "limn/subdivision/labels.h"
+#include "limn/subdivision/legalisation_trace.h"
 #include "render/gl/buffer.h"
 #include "render/gl/vertex_array.h"
 
@@ -24,6 +25,17 @@ enum class MarkerStyle : std::uint8_t {
   kFaceNumber = 3,  ///< The number alone, in ink that is read on its depth colour.
   /// The first of kValenceBands styles: a dot in the band's colour with the number in it.
   kValence = 4,
+  // The next ones are pills with the marker's text.
+  kCandidate = 8,  ///< A magenta one: might be raised next.
+  kPicked = 9,     ///< An amber one with a ring: is raised next.
+};
+
+/// What is written in a pill.
+enum class MarkerText : std::uint8_t {
+  kPair = 0,      ///< "number / second".
+  kDecimal = 1,   ///< "number.second", second being a single digit.
+  kNegative = 2,  ///< The same with a minus before it.
+  kBecomes = 3,   ///< "number > second".
 };
 
 /// A dot or number at a point of a surface.
@@ -31,7 +43,22 @@ struct Marker {
   glm::vec3 position{0.0F};  ///< Relative to the surface's origin.
   MarkerStyle style = MarkerStyle::kLabel;
   std::uint8_t number = 0;  ///< 0..99.
+  std::uint8_t second = 0;  ///< Of a pill, 0..99.
+  MarkerText text = MarkerText::kPair;
 };
+
+/// What is to be seen of a legalisation before its next step: a dot or pill for every vertex that
+/// matters. Spans hold vertices of the mesh; the first candidate is the one picked.
+struct StepMarkers {
+  std::span<const std::uint32_t> illegal;
+  std::span<const std::uint32_t> raised;
+  std::span<const LegalisationCandidate> candidates;
+  std::span<const std::uint32_t> falling;  ///< Set back to 0 next.
+  LegalisationMethod order = LegalisationMethod::kGreedy;
+  bool shows_labels = false;  ///< Those of all other vertices as well.
+};
+[[nodiscard]] std::vector<Marker> step_markers(const ControlMesh& mesh, const VertexLabels& labels,
+                                               const StepMarkers& step);
 
 /// What the labels of a control mesh look like: a dot a vertex. Vertices of `illegal` are magenta;
 /// those of `raised` are amber.
