@@ -25,7 +25,6 @@ class StepsPicture : public testing::Test {
     session_.touch(std::vector<std::uint32_t>{78, 91, 103, 104, 105, 106});
     session_.end_stroke();
     session_.finish_refinement();
-    session_.perform(kViewIso);
   }
 
   Desk desk_{{1100, 760}};
