@@ -121,6 +121,7 @@ Preferences from_json(const Json& json) {
   panel.read("subdivide_open", preferences.layout.subdivide_open);
   panel.read("steps_open", preferences.layout.steps_open);
   panel.read("schemes_open", preferences.layout.schemes_open);
+  panel.read("history_open", preferences.layout.history_open);
   panel.read("display_open", preferences.layout.display_open);
   panel.read("numbers_open", preferences.layout.numbers_open);
   panel.read("report_open", preferences.layout.report_open);
@@ -170,6 +171,7 @@ Json to_json(const Preferences& preferences) {
         {"subdivide_open", layout.subdivide_open},
         {"steps_open", layout.steps_open},
         {"schemes_open", layout.schemes_open},
+        {"history_open", layout.history_open},
         {"display_open", layout.display_open},
         {"numbers_open", layout.numbers_open},
         {"report_open", layout.report_open}}},

@@ -185,6 +185,10 @@ bool Session::perform_edit(const ui::Action& action) {
         toast(Kind::kNote, "There is nothing to redo.");
       }
       return true;
+    case kGoToStep:
+      end_stroke();
+      history_.go_to(document_, static_cast<std::size_t>(std::max(std::get<int>(action.value), 0)));
+      return true;
     case kRevert:
       end_stroke();
       if (document_.control == document_.opened && document_.depths.deepest() == 0 &&
@@ -322,7 +326,7 @@ ui::Model Session::model() const {
       .scheme = scheme_status(),
       .second = second_status(),
       .sphere = sphere_.status(sphere_question()),
-      .history = {history_.undo_name(), history_.redo_name(), history_.bytes()},
+      .history = {history_.undo_name(), history_.redo_name(), history_.bytes(), &history_},
       .hover = hover,
       .hover_edge = hover_edge,
       .mend_focus = mend_focus_,

@@ -61,6 +61,24 @@ void History::redo(Document& document) {
   keep_within_budget(next_ - 1);
 }
 
+std::string History::name(std::size_t i) const {
+  LIMN_EXPECTS(i < commands_.size());
+  return commands_[i]->name();
+}
+
+void History::go_to(Document& document, std::size_t position) {
+  // Each step may forget commands at either end, and shift those that are left.
+  const bool is_back = position < next_;
+  std::size_t left = is_back ? next_ - position : position - next_;
+  for (; left > 0 && (is_back ? can_undo() : can_redo()); --left) {
+    is_back ? undo(document) : redo(document);
+  }
+}
+
+std::optional<std::size_t> History::saved_position() const noexcept {
+  return saved_at_ >= 0 ? std::optional(static_cast<std::size_t>(saved_at_)) : std::nullopt;
+}
+
 bool History::is_modified() const noexcept {
   return saved_at_ != static_cast<std::ptrdiff_t>(next_);
 }
@@ -78,6 +96,7 @@ void History::clear() noexcept {
   next_ = 0;
   bytes_ = 0;
   saved_at_ = 0;
+  has_forgotten_ = false;
 }
 
 void History::forget_redo() noexcept {
@@ -97,6 +116,7 @@ void History::keep_within_budget(std::size_t kept) noexcept {
   while (bytes_ > byte_budget_ && kept > 0) {
     bytes_ -= commands_.front()->bytes();
     commands_.pop_front();
+    has_forgotten_ = true;
     --kept;
     --next_;
     if (saved_at_ >= 0) {

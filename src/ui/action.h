@@ -28,7 +28,8 @@ enum class ActionId : std::uint8_t {
   // Edit
   kUndo,
   kRedo,
-  kRevert,  ///< Back to the mesh as it was opened, unpainted.
+  kGoToStep,  ///< int, 0..: undoes or redoes until so many steps of the history are applied.
+  kRevert,    ///< Back to the mesh as it was opened, unpainted.
 
   // Painting rules
   kRaiseAll,

@@ -32,6 +32,8 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
 
     {kUndo, kEdit, kNothing, "Undo", "Take back the last change."},
     {kRedo, kEdit, kNothing, "Redo", "Make the change again that was taken back last."},
+    {kGoToStep, kEdit, ValueKind::kInt, "Go to this step",
+     "Undo or redo until the document is as it was after this step."},
     {kRevert, kEdit, kNothing, "Revert to opened mesh",
      "Go back to the mesh as it was opened, with nothing painted. Can be undone."},
 

@@ -48,6 +48,7 @@ struct PanelLayout {
   bool subdivide_open = true;
   bool steps_open = false;
   bool schemes_open = false;
+  bool history_open = false;
   bool display_open = true;
   bool numbers_open = true;
   bool report_open = true;

@@ -26,6 +26,7 @@
 namespace limn {
 struct CrackCheck;
 struct Document;
+class History;
 struct MeshStatistics;
 struct RefinementPrediction;
 }  // namespace limn
@@ -224,6 +225,7 @@ struct HistoryStatus {
   std::string undo_name;  ///< Empty where there is nothing to undo.
   std::string redo_name;
   std::size_t bytes = 0;
+  const History* steps = nullptr;  ///< Null: none.
 };
 
 /// The mended element that the person was led to last.

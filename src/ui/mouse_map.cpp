@@ -8,7 +8,7 @@ namespace {
 using enum CameraGesture;
 
 constexpr Modifiers kAlt{.alt = true};
-constexpr Modifiers kShift{.shift = true};
+constexpr Modifiers kWithShift{.shift = true};
 constexpr MouseGrip kAltLeft{.left = true, .modifiers = kAlt};
 constexpr MouseGrip kAltMiddle{.middle = true, .modifiers = kAlt};
 constexpr MouseGrip kAltRight{.right = true, .modifiers = kAlt};
@@ -21,7 +21,7 @@ constexpr std::array<GestureLine, kCameraGestureCount> kOriginalLines{
     {{kOrbit, "Middle drag, or Alt + left drag", {kMiddle, kAltLeft, kRight}, 3},
      {kPan,
       "Shift + middle drag, or Alt + middle drag",
-      {MouseGrip{.middle = true, .modifiers = kShift}, kAltMiddle, kAltBoth},
+      {MouseGrip{.middle = true, .modifiers = kWithShift}, kAltMiddle, kAltBoth},
       3},
      {kZoom, "Wheel, or Alt + right drag", {kAltRight, {}, {}}, 1}}};
 
@@ -29,7 +29,7 @@ constexpr std::array<GestureLine, kCameraGestureCount> kMouseOnlyLines{
     {{kOrbit, "Right drag, or left drag beside the mesh", {kRight, kBeside, kAltLeft}, 3},
      {kPan,
       "Middle drag, or Shift + right drag",
-      {kMiddle, MouseGrip{.right = true, .modifiers = kShift}, kAltMiddle},
+      {kMiddle, MouseGrip{.right = true, .modifiers = kWithShift}, kAltMiddle},
       3},
      {kZoom,
       "Wheel, or Ctrl + right drag",

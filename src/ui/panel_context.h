@@ -31,6 +31,8 @@ struct UiState {
     bool wants_focus = false;
   } path_prompt;
 
+  std::size_t shown_step = 0;  ///< Position of the history that its list was last scrolled to.
+
   double hover_seconds = 0.0;  ///< How long the cursor has rested on the same control.
   ImGuiID hovered_control = 0;
   bool awaits_tooltip = false;  ///< It has not rested there long enough yet.

@@ -34,6 +34,7 @@ void draw_steps_section(PanelContext& context);
 void draw_schemes_section(PanelContext& context);
 void draw_display_section(PanelContext& context);
 void draw_numbers_section(PanelContext& context);
+void draw_history_section(PanelContext& context);
 void draw_report_section(PanelContext& context);
 
 /// Errors against levels, one line a series, in a box of the width there is.

@@ -74,6 +74,7 @@ void draw_side_panel(PanelContext& context, const WindowRect& place) {
   section("SCHEMES", layout.schemes_open, draw_schemes_section);
   section("DISPLAY", layout.display_open, draw_display_section);
   section("NUMBERS", layout.numbers_open, draw_numbers_section);
+  section("HISTORY", layout.history_open, draw_history_section);
   ImGui::EndChild();
   ImGui::PopStyleVar();
   ImGui::End();

@@ -1,5 +1,6 @@
 #include "limn/document/history.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <random>
@@ -261,6 +262,36 @@ TEST(History, RandomWalksAgreeWithAListOfStates) {
       return;
     }
   }
+}
+
+TEST(History, GoesToAnyStep) {
+  Document document = named("0");
+  History history;
+  for (int i = 1; i <= 5; ++i) {
+    history.execute(document, std::make_unique<Rename>(std::to_string(i)));
+  }
+  for (const std::size_t step : {2u, 5u, 0u, 3u, 3u, 99u}) {
+    history.go_to(document, step);
+    EXPECT_EQ(history.position(), std::min<std::size_t>(step, 5));
+    EXPECT_EQ(document.name, std::to_string(history.position()));
+  }
+}
+
+TEST(History, KnowsWhereItWasSavedAndWhatItForgot) {
+  Document document = named("0");
+  History history(3);
+  EXPECT_EQ(history.saved_position(), 0u);
+  history.execute(document, std::make_unique<Rename>("1"));
+  history.mark_saved();
+  history.execute(document, std::make_unique<Rename>("2"));
+  EXPECT_EQ(history.saved_position(), 1u);
+  EXPECT_FALSE(history.has_forgotten());
+  history.execute(document, std::make_unique<Rename>("3"));
+  history.execute(document, std::make_unique<Rename>("4"));
+  EXPECT_TRUE(history.has_forgotten());
+  EXPECT_EQ(history.saved_position(), 0u) << "one is forgotten";
+  history.go_to(document, 0);
+  EXPECT_EQ(document.name, "1") << "the earliest that can be reached";
 }
 
 }  // namespace

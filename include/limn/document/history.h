@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "limn/document/command.h"
@@ -31,6 +32,18 @@ class History {
   void undo(Document& document);
   void redo(Document& document);
 
+  /// The commands that are remembered, oldest first, and how many of them are applied.
+  [[nodiscard]] std::size_t size() const noexcept { return commands_.size(); }
+  [[nodiscard]] std::size_t position() const noexcept { return next_; }
+  /// Name of command `i` < size().
+  [[nodiscard]] std::string name(std::size_t i) const;
+  /// Undoes or redoes until `position` (or the nearest one there is) is reached.
+  void go_to(Document& document, std::size_t position);
+  /// How many commands were applied when `mark_saved` was called; nothing once that is forgotten.
+  [[nodiscard]] std::optional<std::size_t> saved_position() const noexcept;
+  /// Whether commands were forgotten, so that the beginning cannot be reached any more.
+  [[nodiscard]] bool has_forgotten() const noexcept { return has_forgotten_; }
+
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
   /// Whether the document differs from when `mark_saved` was last called (or from its beginning).
   [[nodiscard]] bool is_modified() const noexcept;
@@ -49,6 +62,7 @@ class History {
   std::size_t next_ = 0;   ///< commands_[0..next_) are applied.
   std::size_t bytes_ = 0;  ///< Sum of the commands' bytes, kept up to date.
   std::size_t byte_budget_;
+  bool has_forgotten_ = false;
   std::ptrdiff_t saved_at_ = 0;  ///< Value of next_ at the saved state; -1 once that is forgotten.
 };
 
