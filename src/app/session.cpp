@@ -122,6 +122,7 @@ void Session::finish_refinement() {
   } while (update(now_) && (refinement_.is_busy() || second_.is_busy()));
   exports_.wait_until_idle();
   report_export();
+  finish_forecast();
 }
 
 void Session::show(Project project) {

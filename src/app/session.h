@@ -178,6 +178,8 @@ class Session {
   bool perform_subdivision(const ui::Action& action);
   bool perform_brush(const ui::Action& action);  // session_tools.cpp, as what follows it
   bool perform_tool(const ui::Action& action);
+  /// Its radius, or what stands for it with the tool in hand.
+  void size_brush(int steps);
   bool perform_steps(const ui::Action& action);  // session_steps.cpp
   void seek_step(std::size_t position);
   void follow_steps();

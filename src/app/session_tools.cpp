@@ -1,6 +1,7 @@
 // The brush and the other painting tools: what they are set to, strokes, and what a click would
 // reach and cost.
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <utility>
 
@@ -111,16 +112,24 @@ bool Session::perform_brush(const ui::Action& action) {
       }
       return true;
     case kBrushBigger:
-      brush_.radius = clamp_radius(brush_.radius * kBrushStep);
+      size_brush(1);
       return true;
     case kBrushSmaller:
-      brush_.radius = clamp_radius(brush_.radius / kBrushStep);
+      size_brush(-1);
       return true;
     case kSetBrushRadius:
       brush_.radius = clamp_radius(std::get<double>(action.value));
       return true;
     default:
       return perform_tool(action);
+  }
+}
+
+void Session::size_brush(int steps) {
+  if (brush_.tool == ui::Tool::kSmartFill) {
+    perform({kSetFillAngle, brush_.fill_angle + ui::kFillAngleStep * steps});
+  } else {
+    brush_.radius = clamp_radius(brush_.radius * std::pow(kBrushStep, steps));
   }
 }
 

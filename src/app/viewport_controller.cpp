@@ -98,8 +98,14 @@ void ViewportController::turn_wheel(const ViewportFrame& frame) {
     return;
   }
   if (frame.input.modifiers.ctrl) {
-    frame.session.perform({ui::ActionId::kSetBrushRadius,
-                           frame.session.brush().radius * std::pow(kBrushPerNotch, notches)});
+    const ui::BrushSettings& brush = frame.session.brush();
+    if (brush.tool == ui::Tool::kSmartFill) {
+      frame.session.perform(
+          {ui::ActionId::kSetFillAngle, brush.fill_angle + ui::kFillAngleStep * notches});
+    } else {
+      frame.session.perform(
+          {ui::ActionId::kSetBrushRadius, brush.radius * std::pow(kBrushPerNotch, notches)});
+    }
   } else {
     CameraDrag::turn_wheel(frame, last_, notches);
   }
@@ -108,7 +114,8 @@ void ViewportController::turn_wheel(const ViewportFrame& frame) {
 void ViewportController::hover(const ViewportFrame& frame) {
   const bool is_here = frame.input.is_hovered && frame.input.cursor && !frame.is_in_second;
   Session& session = frame.session;
-  if (!is_here || drag_ == Drag::kCamera || frame.input.wheel.y != 0.0) {
+  if (!is_here || drag_ == Drag::kCamera ||
+      (frame.input.wheel.y != 0.0 && !frame.input.modifiers.ctrl)) {
     tools_.leave(session);
     session.set_hover_edge(std::nullopt);
     if (!is_here) {

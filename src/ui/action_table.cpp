@@ -116,9 +116,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kPickDepth, kPaint, kNothing, "Pick depth here",
      "The depth of the face under the cursor becomes the target depth."},
     {kBrushBigger, kPaint, kNothing, "Bigger brush",
-     "Widen the ring of the brush. Ctrl and the wheel do so too."},
+     "Widen the ring of the brush, or the angle of a smart fill. Ctrl and the wheel do so too."},
     {kBrushSmaller, kPaint, kNothing, "Smaller brush",
-     "Narrow the ring of the brush. Ctrl and the wheel do so too."},
+     "Narrow the ring of the brush, or the angle of a smart fill. Ctrl and the wheel do so too."},
     {kSetBrushRadius, kPaint, ValueKind::kDouble, "Brush radius",
      "How wide the brush is on the screen."},
     {kSetFillAngle, kPaint, ValueKind::kDouble, "Fill angle",
@@ -128,7 +128,7 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Brush, rectangle and lasso also paint faces that are hidden behind others. Otherwise only "
      "what "
      "you see is painted."},
-    {kToggleShiftLine, kPaint, ValueKind::kToggle, "Shift draws a line",
+    {kToggleShiftLine, kPaint, ValueKind::kToggle, "Line with Shift",
      "With the paint tool, Shift and a click paint a straight line from where the last stroke "
      "ended, "
      "instead of lowering. Ctrl always lowers."},

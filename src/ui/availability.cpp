@@ -6,6 +6,7 @@
 
 #include "limn/document/document.h"
 #include "limn/mesh/statistics.h"
+#include "limn/painting/face_regions.h"
 #include "ui/scheme_text.h"
 
 namespace limn::ui {
@@ -94,9 +95,11 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kBrowse:
       return action.value != ActionValue(std::string());
     case ActionId::kBrushBigger:
-      return model.brush.radius < kMaxBrushRadius;
+      return model.brush.tool == Tool::kSmartFill ? model.brush.fill_angle < kMostFillAngle
+                                                  : model.brush.radius < kMaxBrushRadius;
     case ActionId::kBrushSmaller:
-      return model.brush.radius > kMinBrushRadius;
+      return model.brush.tool == Tool::kSmartFill ? model.brush.fill_angle > 0.0
+                                                  : model.brush.radius > kMinBrushRadius;
     default:
       return true;
   }

@@ -113,6 +113,8 @@ enum class Tool : std::uint8_t {
   return tool == Tool::kSplitEdge || tool == Tool::kFlipEdge;
 }
 
+/// Degrees that a notch of the wheel, or a key, adds to the angle of a smart fill.
+inline constexpr double kFillAngleStep = 5.0;
 inline constexpr double kMinBrushRadius = 2.0;
 inline constexpr double kMaxBrushRadius = 300.0;
 

@@ -81,10 +81,14 @@ std::string lowering_hint(const Model& model, const Modifiers& held) {
   }
   const std::string how = is_fill(brush.tool) ? "click" : "left drag";
   const bool pans_by_shift = model.navigation.preset == NavigationPreset::kOriginal;
-  return keys + how + ": depth −1" +
-         (held.ctrl       ? " · Ctrl + wheel: brush size"
-          : pans_by_shift ? " · Shift + middle drag: pan"
-                          : "");
+  const char* more = "";
+  if (held.ctrl) {
+    more = brush.tool == Tool::kSmartFill ? " · Ctrl + wheel: fill angle"
+                                          : " · Ctrl + wheel: brush size";
+  } else if (pans_by_shift) {
+    more = " · Shift + middle drag: pan";
+  }
+  return keys + how + ": depth −1" + more;
 }
 
 /// "12,480 faces, 31 % of uniform"; of the mesh to come while there is none.

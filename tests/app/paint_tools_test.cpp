@@ -169,6 +169,30 @@ TEST_F(PaintToolsTest, SmartFillStopsAtTheAngle) {
   EXPECT_EQ(session_.brush().fill_angle, 360.0);
 }
 
+TEST_F(PaintToolsTest, WheelAndKeysWidenTheAngleInPlaceOfTheBrush) {
+  session_.perform(kToolSmartFill);
+  session_.perform({kSetFillAngle, 85.0});
+  move(50);
+  EXPECT_THAT(lit(), ElementsAre(0));
+  ui::ViewportInput input = held_;
+  input.cursor = cursor_;
+  input.modifiers.ctrl = true;
+  input.wheel = {0.0, 1.0};
+  const ViewState before = session_.view();
+  frame(input);
+  EXPECT_EQ(session_.brush().fill_angle, 90.0);
+  EXPECT_EQ(session_.brush().radius, 4.0);
+  EXPECT_EQ(session_.view(), before);
+  EXPECT_EQ(lit().size(), 5U) << "and what it would fill lights up at once";
+  session_.perform(kBrushSmaller);
+  move(51);
+  EXPECT_THAT(lit(), ElementsAre(0));
+  session_.perform(kToolPaint);
+  session_.perform(kBrushBigger);
+  EXPECT_GT(session_.brush().radius, 4.0);
+  EXPECT_EQ(session_.brush().fill_angle, 85.0);
+}
+
 TEST_F(PaintToolsTest, ARectanglePaintsWhenItIsLetGo) {
   session_.perform(kToolRectangle);
   move(150, 100);

@@ -59,6 +59,15 @@ class RandomHand {
                                                  kAdaptiveCatmullClark,
                                                  kToolSplitEdge,
                                                  kToolPaint,
+                                                 kToolFill,
+                                                 kToolSmartFill,
+                                                 kGrowPainting,
+                                                 kShrinkPainting,
+                                                 kSmoothPainting,
+                                                 kInvertPainting,
+                                                 kMirrorPainting,
+                                                 kToggleMirrorX,
+                                                 kToggleMirrorZ,
                                                  kSubdivideOneLevel,
                                                  kCancel};
     static const std::vector<std::string> all_words = [] {
@@ -96,6 +105,27 @@ void point_somewhere(Session& session, RandomHand& hand) {
   session.set_hover_edge(topology.corner_edges[corner]);
 }
 
+/// Shows what a click would cost, and perhaps clicks, on the face under the mouse.
+void paint_somewhere(Session& session, RandomHand& hand) {
+  if (!session.hover()) {
+    session.withdraw_proposal();
+    return;
+  }
+  const std::vector<std::uint32_t> region = session.fill_region(*session.hover());
+  const DepthChange change = hand.below(2) == 0 ? DepthChange::add(1) : DepthChange::set(2);
+  session.propose(session.with_images(region), change);
+  if (hand.below(3) == 0) {
+    session.finish_forecast();
+  }
+  if (hand.below(2) == 0) {
+    session.begin_stroke(change, "fill");
+    session.touch(region);
+    if (hand.below(4) > 0) {
+      session.end_stroke();
+    }
+  }
+}
+
 void answer(Session& session) {
   if (std::holds_alternative<ui::UnsavedQuestion>(session.modal())) {
     session.perform(kDiscardChanges);
@@ -131,6 +161,9 @@ TEST(Session, WhateverIsPressedEveryFrameCanBeDrawn) {
   double now = 0.0;
   for (int step = 0; step < kSteps && !testing::Test::HasFailure(); ++step) {
     point_somewhere(session, hand);
+    if (hand.below(3) == 0) {
+      paint_somewhere(session, hand);
+    }
     const ui::Action action = hand.next();
     SCOPED_TRACE(testing::Message()
                  << "step " << step << ": action " << static_cast<int>(action.id));

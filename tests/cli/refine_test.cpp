@@ -95,6 +95,26 @@ TEST(Refine, ReadsRulesFromAFile) {
   EXPECT_EQ(Json::parse(run.out)["faces_by_depth"], (Json{{"2", 6}}));
 }
 
+TEST(Refine, PaintsRegionsAndWholePaintings) {
+  const auto depths_after = [](std::vector<std::string> rules) {
+    std::vector<std::string> words = {"refine", "cube", "--json"};
+    for (std::string& rule : rules) {
+      words.insert(words.end(), {"--paint", std::move(rule)});
+    }
+    const ProgramRun run = limn(words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return Json::parse(run.out)["faces_by_depth"];
+  };
+  EXPECT_EQ(depths_after({"faces=0:=2", "mirror=x"}), (Json{{"0", 4}, {"2", 2}}));
+  EXPECT_EQ(depths_after({"faces=0:=2", "invert"}), (Json{{"0", 1}, {"2", 5}}));
+  EXPECT_EQ(depths_after({"smart=0,90:=1"}), (Json{{"0", 1}, {"1", 5}}));
+  EXPECT_EQ(depths_after({"faces=0:=2", "flood=0:+1", "grow"}), (Json{{"0", 1}, {"3", 5}}));
+  EXPECT_EQ(depths_after({"connected=4:=3", "faces=1:=0", "shrink"}), (Json{{"0", 5}, {"3", 1}}));
+  const ProgramRun wrong = limn({"refine", "cube", "--paint", "flood=6:+1"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("There is no face 6"));
+}
+
 TEST(Refine, WritesToStandardOutputWhatItWritesToAFile) {
   const ScratchFolder scratch;
   const std::vector<std::string> rules = {"--paint", "dihedral>20:=2", "--paint", "faces=0-9:+1"};

@@ -256,7 +256,7 @@ class Tools:
         assert len(crossed) > 5
 
         self.take("p", "paint")
-        program.click(*program.item("Shift draws a line"))
+        program.click(*program.item("Line with Shift"))
         program.wait_for("Shift draws lines", lambda s: s["shift_draws_lines"])
         before = program.state["depths"]
         program.click(*image.to_window(start))
@@ -267,7 +267,7 @@ class Tools:
         got = changed(before, state["depths"])
         assert crossed <= got <= near, (crossed - got, got - near)
         painted = state["depths"]
-        program.click(*program.item("Shift draws a line"))
+        program.click(*program.item("Line with Shift"))
         program.wait_for("Shift lowers again", lambda s: not s["shift_draws_lines"])
 
         self.take("shift+p", "lower")

@@ -37,7 +37,7 @@ TEST(PaintSection, ShowsWhatTheToolCanBeSetTo) {
     EXPECT_EQ(shows(screen, "Brush radius"), options.radius);
     EXPECT_EQ(shows(screen, "Fill angle"), options.angle);
     EXPECT_EQ(shows(screen, "Paint through"), options.through);
-    EXPECT_EQ(shows(screen, "Shift draws a line"), options.line);
+    EXPECT_EQ(shows(screen, "Line with Shift"), options.line);
     for (const char* always : {"Mirror X", "Mirror Y", "Mirror Z", "Raise all", "depth 3"}) {
       EXPECT_TRUE(shows(screen, always)) << always;
     }

@@ -198,10 +198,13 @@ const std::vector<std::uint32_t>& PaintTools::fill_region(const ViewportFrame& f
   Session& session = frame.session;
   const Document& document = session.document();
   const ui::BrushSettings& brush = session.brush();
-  const bool is_known = fill_ && fill_->mesh.lock() == document.control &&
-                        fill_->depths_revision == document.revisions.depths &&
-                        fill_->seed == seed && fill_->tool == brush.tool &&
-                        fill_->angle == brush.fill_angle;
+  const bool is_known =
+      fill_ && fill_->mesh.lock() == document.control &&
+      fill_->depths_revision == document.revisions.depths && fill_->tool == brush.tool &&
+      fill_->angle == brush.fill_angle &&
+      (fill_->seed == seed ||
+       // A flood is the same from whichever of its faces it begins.
+       (brush.tool == ui::Tool::kFill && std::ranges::binary_search(fill_->region, seed)));
   if (!is_known) {
     fill_ = Fill{document.control, document.revisions.depths, seed,
                  brush.tool,       brush.fill_angle,          session.fill_region(seed)};
