@@ -28,7 +28,9 @@ std::optional<ui::CameraGesture> CameraDrag::gesture_at(const ViewportFrame& fra
   grip.middle = input.is_down(MouseButton::kMiddle);
   grip.modifiers = input.modifiers;
   grip.is_left_free = frame.is_in_second || frame.session.brush().tool == ui::Tool::kOrbit;
-  grip.is_beside_mesh = grip.left && ui::asks_for_background(preset) && !frame.pick(at);
+  // Areas are begun beside the mesh as often as on it.
+  grip.is_beside_mesh = grip.left && ui::asks_for_background(preset) &&
+                        !ui::is_area(frame.session.brush().tool) && !frame.pick(at);
   return ui::camera_gesture(preset, grip);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "limn/mesh/open_edges.h"
 #include "limn/painting/selection.h"
 
 namespace limn::app {
@@ -23,6 +24,7 @@ void MeshFacts::update(const std::shared_ptr<const ControlMesh>& mesh, double di
     statistics_ = mesh_statistics(*mesh);
     creases_ = count_creases(*mesh);
     if (!is_same_surface) {
+      t_junctions_ = find_t_junctions(*mesh).size();
       sorted_angles_ = face_dihedral_angles(*mesh);
       std::sort(sorted_angles_.begin(), sorted_angles_.end());
       sorted_edge_angles_ = edge_dihedral_angles(*mesh);

@@ -22,6 +22,7 @@ class MeshFacts {
   /// Edges over the threshold.
   [[nodiscard]] std::size_t dihedral_edges() const noexcept { return dihedral_edges_; }
   [[nodiscard]] const CreaseCounts& creases() const noexcept { return creases_; }
+  [[nodiscard]] std::size_t t_junctions() const noexcept { return t_junctions_; }
 
  private:
   std::shared_ptr<const ControlMesh> mesh_;
@@ -31,6 +32,7 @@ class MeshFacts {
   std::size_t dihedral_faces_ = 0;
   std::size_t dihedral_edges_ = 0;
   CreaseCounts creases_{};
+  std::size_t t_junctions_ = 0;
 };
 
 }  // namespace limn::app

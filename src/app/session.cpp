@@ -48,13 +48,13 @@ void Session::perform(const ui::Action& action) {
 }
 
 void Session::carry_out(const ui::Action& action) {
-  const bool is_known = perform_answer(action) || perform_recovery(action) ||
-                        perform_program(action) || perform_file(action) || perform_edit(action) ||
-                        perform_rule(action) || perform_creases(action) || perform_brush(action) ||
-                        perform_subdivision(action) || perform_steps(action) ||
-                        perform_scheme(action) || perform_scheme_choice(action) ||
-                        perform_edge(action) || perform_display(action) || perform_camera(action) ||
-                        perform_navigation(action) || perform_report(action);
+  const bool is_known =
+      perform_answer(action) || perform_recovery(action) || perform_program(action) ||
+      perform_file(action) || perform_edit(action) || perform_rule(action) ||
+      perform_creases(action) || perform_brush(action) || perform_subdivision(action) ||
+      perform_steps(action) || perform_scheme(action) || perform_scheme_choice(action) ||
+      perform_edge(action) || perform_display(action) || perform_camera(action) ||
+      perform_navigation(action) || perform_report(action) || perform_flaw(action);
   LIMN_EXPECTS(is_known);
   update_facts();
 }
@@ -253,6 +253,7 @@ void Session::cancel() {
     steps_.show(false);
   } else {
     mend_focus_.reset();
+    flaw_focus_.reset();
   }
 }
 
@@ -331,6 +332,8 @@ ui::Model Session::model() const {
       .hover = hover,
       .hover_edge = hover_edge,
       .mend_focus = mend_focus_,
+      .t_junctions = facts_.t_junctions(),
+      .flaw_focus = flaw_focus_,
       .is_stroking = is_stroking(),
       .forecast = forecast(),
       .lone_faces = lone_faces_,

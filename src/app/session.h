@@ -190,7 +190,8 @@ class Session {
   bool perform_camera(const ui::Action& action);
   bool perform_navigation(const ui::Action& action);
   bool set_material(ui::Material material);
-  bool perform_report(const ui::Action& action);  // session_report.cpp
+  bool perform_report(const ui::Action& action);  // session_report.cpp, as what follows it
+  bool perform_flaw(const ui::Action& action);
 
   void recover();
   void ask_about_lost_work();
@@ -231,6 +232,7 @@ class Session {
   void compare_with_sphere();
   /// What follows from document and display: facts, the second half, valences.
   void update_facts();
+  void show_second(std::optional<SchemeSettings> scheme, bool is_uniform);
   void follow_second();
   [[nodiscard]] ui::SchemeStatus scheme_status() const;
   [[nodiscard]] ui::SecondStatus second_status() const;
@@ -274,6 +276,7 @@ class Session {
   std::optional<std::uint32_t> hover_;
   std::optional<std::uint32_t> hover_edge_;
   std::optional<ui::MendFocus> mend_focus_;
+  std::optional<ui::FlawFocus> flaw_focus_;
   std::shared_ptr<const ControlMesh> known_control_;  ///< At the last `update_facts`.
   std::optional<Stroke> stroke_;
   std::string stroke_name_;

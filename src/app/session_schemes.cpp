@@ -21,6 +21,15 @@ namespace {
 constexpr int kSphereLevels = 5;
 constexpr std::uint64_t kMostSphereFaces = 2'000'000;
 
+/// What the painting is subdivided by, everywhere.
+SchemeSettings painted_scheme(const Document& document) {
+  SchemeSettings scheme;
+  scheme.scheme =
+      document.settings.scheme == RefinementScheme::kLoop ? Scheme::kLoop : Scheme::kCatmullClark;
+  scheme.weights = document.settings.weights;
+  return scheme;
+}
+
 }  // namespace
 
 bool Session::perform_scheme(const ui::Action& action) {
@@ -46,19 +55,16 @@ bool Session::perform_scheme(const ui::Action& action) {
     case kSchemeBack:
       step_to(level - 1);
       return true;
-    case kSetSecondScheme: {
-      const bool was_split = is_split();
-      display_.second = ui::scheme_from_word(std::get<std::string>(action.value));
-      if (is_split()) {
-        second_.restart();
-      } else {
-        second_.cancel();
-      }
-      if (is_split() && !was_split) {
-        // Half as wide: what was in view would be cut off.
-        camera_.glide_to(
-            render::frame_points(camera_.goal(), document_.control->positions(), aspect_ / 2.0),
-            now_);
+    case kSetSecondScheme:
+      show_second(ui::scheme_from_word(std::get<std::string>(action.value)), false);
+      return true;
+    case kCompareUniform: {
+      const bool is_shown = is_split() && display_.is_second_uniform;
+      const auto* wanted = std::get_if<bool>(&action.value);
+      if (wanted != nullptr ? *wanted : !is_shown) {
+        show_second(painted_scheme(document_), true);
+      } else if (is_shown) {
+        show_second(std::nullopt, false);
       }
       return true;
     }
@@ -99,6 +105,22 @@ bool Session::perform_scheme_choice(const ui::Action& action) {
     change_scheme(scheme);
   }
   return true;
+}
+
+void Session::show_second(std::optional<SchemeSettings> scheme, bool is_uniform) {
+  const bool was_split = is_split();
+  display_.second = scheme;
+  display_.is_second_uniform = is_uniform;
+  if (is_split()) {
+    second_.restart();
+  } else {
+    second_.cancel();
+  }
+  if (is_split() && !was_split) {
+    // Half as wide: what was in view would be cut off.
+    camera_.glide_to(
+        render::frame_points(camera_.goal(), document_.control->positions(), aspect_ / 2.0), now_);
+  }
 }
 
 void Session::show_scheme(std::optional<SchemeSettings> scheme) {
@@ -211,7 +233,13 @@ void Session::compare_with_sphere() {
 
 int Session::second_levels() const noexcept {
   const int levels = shown_levels();
-  return levels == kAllLevels ? document_.depths.deepest() : levels;
+  if (levels != kAllLevels) {
+    return levels;
+  }
+  // A first step that splits every face makes what is painted a level deeper.
+  const DerivedLabels* labels = refinement_.labels();
+  return display_.is_second_uniform && labels != nullptr ? labels->prediction.levels
+                                                         : document_.depths.deepest();
 }
 
 void Session::follow_second() {
@@ -231,6 +259,9 @@ bool Session::shows_second_refined() const noexcept {
 }
 
 void Session::update_facts() {
+  if (display_.second && display_.is_second_uniform) {
+    display_.second = painted_scheme(document_);  // That may have been changed.
+  }
   facts_.update(document_.control, dihedral_threshold_);
   scheme_facts_.update(document_.control, document_.scheme);
   second_facts_.update(document_.control, display_.second);
@@ -242,6 +273,7 @@ void Session::update_facts() {
     withdraw_proposal();
     hover_.reset();
     hover_edge_.reset();
+    flaw_focus_.reset();
     refinement_.follow(document_, wish());
   }
   // Nothing refined from another mesh may be shown from now on, in the second half neither: it may

@@ -95,12 +95,14 @@ ViewportPlace Workbench::place_of(const ui::WindowRect& viewport, double density
 }
 
 std::optional<ui::WindowPoint> Workbench::mend_marker(const ui::Model& model) const {
-  if (!model.mend_focus) {
+  if (!model.mend_focus && !model.flaw_focus) {
     return std::nullopt;
   }
+  const glm::dvec3& spot =
+      model.mend_focus ? model.mend_focus->position : model.flaw_focus->position;
   // The near plane does not count: what was dropped may lie outside of the mesh.
   const render::Camera camera = ViewportScene::camera(session_, place_.size);
-  const glm::dvec4 clip = camera.view_projection * glm::dvec4(model.mend_focus->position, 1.0);
+  const glm::dvec4 clip = camera.view_projection * glm::dvec4(spot, 1.0);
   if (clip.w <= 0.0) {
     return std::nullopt;
   }

@@ -108,7 +108,7 @@ class Workbench {
   void sync_scene();
   void draw(const Screen& screen, GLuint framebuffer);
   [[nodiscard]] ViewportPlace place_of(const ui::WindowRect& viewport, double density) const;
-  /// Where the mended element shows that the person was led to, by the last frame's place.
+  /// Where the mended element or flaw shows that the person was led to, by the last frame's place.
   [[nodiscard]] std::optional<ui::WindowPoint> mend_marker(const ui::Model& model) const;
 
   // In this order: everything drawn goes before the session whose meshes it draws.

@@ -117,6 +117,7 @@ enum class ActionId : std::uint8_t {
   kLinearAverages,
   kMakeFit,          ///< The control mesh becomes one that the scheme takes.
   kSetSecondScheme,  ///< std::string scheme to show beside; empty: none.
+  kCompareUniform,   ///< The painting's scheme beside it, uniform to the same depth.
   kCompareSphere,    ///< Every level of the scheme against its least-squares sphere.
 
   // Display
@@ -164,6 +165,10 @@ enum class ActionId : std::uint8_t {
   // What was mended when the mesh was opened
   kNextMend,      ///< int, a MendKind: lead to its next element.
   kPreviousMend,  ///< int, a MendKind: lead to the one before.
+
+  // What may be amiss with the surface
+  kNextFlaw,      ///< int, a FlawKind: lead to its next place.
+  kPreviousFlaw,  ///< int, a FlawKind: lead to the one before.
 
   // Program
   kHelp,

@@ -230,6 +230,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kSetSecondScheme, kSchemes, ValueKind::kText, "Beside it",
      "Show another scheme at the same level in the second half of the view. Both halves move "
      "together."},
+    {kCompareUniform, kSchemes, ValueKind::kToggle, "Uniform beside",
+     "Show uniform subdivision to the greatest painted depth in the second half of the view, with "
+     "its faces. Both halves move together."},
     {kCompareSphere, kSchemes, kNothing, "Compare with a sphere",
      "Fit a sphere to the vertices of each level by least squares, and show how far they are from "
      "it. Loop is compared with both its weights."},
@@ -311,6 +314,11 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kNextMend, kCamera, ValueKind::kInt, "Show next mended place",
      "Move the camera to the next place of this kind and mark it. After the last comes the first."},
     {kPreviousMend, kCamera, ValueKind::kInt, "Show mended place before",
+     "Move the camera back to the place before and mark it."},
+
+    {kNextFlaw, kCamera, ValueKind::kInt, "Show next place",
+     "Move the camera to the next place of this kind and mark it. After the last comes the first."},
+    {kPreviousFlaw, kCamera, ValueKind::kInt, "Show place before",
      "Move the camera back to the place before and mark it."},
 
     {kHelp, kProgram, kNothing, "Keys and mouse", "Show everything the keys and the mouse do."},

@@ -7,6 +7,7 @@
 #include "limn/document/document.h"
 #include "limn/mesh/statistics.h"
 #include "limn/painting/face_regions.h"
+#include "limn/subdivision/crack_check.h"
 #include "ui/scheme_text.h"
 
 namespace limn::ui {
@@ -24,6 +25,20 @@ bool stands(bool is_on, const Action& action) {
 }
 
 }  // namespace
+
+std::size_t count_of(const Model& model, FlawKind kind) {
+  switch (kind) {
+    case FlawKind::kBoundary:
+      return model.statistics.boundary_loops;
+    case FlawKind::kTJunction:
+      return model.t_junctions;
+    case FlawKind::kCrack: {
+      const auto& result = model.refinement.result;
+      return result && result->cracks != nullptr ? result->cracks->crack_faces.size() : 0;
+    }
+  }
+  return 0;
+}
 
 bool is_available(const Model& model, const Action& action) {
   const Document& document = model.document;
@@ -89,6 +104,12 @@ bool is_available(const Model& model, const Action& action) {
       return document.scheme && model.scheme.misfit && model.scheme.misfit->fitting;
     case ActionId::kCompareSphere:
       return document.scheme && !model.scheme.misfit && !model.sphere.running;
+    case ActionId::kNextFlaw:
+    case ActionId::kPreviousFlaw:
+      if (const auto* kind = std::get_if<int>(&action.value)) {
+        return count_of(model, static_cast<FlawKind>(*kind)) > 0;
+      }
+      return false;
     case ActionId::kPickDepth:
     case ActionId::kFrameHovered:
       return model.hover.has_value();
@@ -141,6 +162,8 @@ bool is_checked(const Model& model, const Action& action) {
       return model.brush.tool == Tool::kFlipEdge;
     case ActionId::kSetScheme:
       return action.value == ActionValue(word_of(model.document.scheme));
+    case ActionId::kCompareUniform:
+      return display.second && display.is_second_uniform;
     case ActionId::kSetSecondScheme:
       return action.value == ActionValue(word_of(display.second));
     case ActionId::kSetSchemeLevel:

@@ -24,6 +24,7 @@ void draw_display_section(PanelContext& context) {
     action_toggle(context, kToggles[i], width);
   }
   ImGui::PopStyleVar();
+  action_toggle(context, kCompareUniform, room());
   sub_heading(context, "Face colours");
   action_choice(context, std::array{Choice{kTintDepth, "Depth"}, Choice{kTintLevel, "Level"},
                                     Choice{kTintNone, "None"}});

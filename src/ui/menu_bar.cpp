@@ -95,6 +95,7 @@ void view_menu(PanelContext& context) {
   items(context, {kToggleFaces, kToggleWireframe, kToggleSmooth, kToggleLight, kToggleLabels,
                   kToggleIllegalMarks, kToggleCreases, kToggleValences, kToggleNumbers});
   ImGui::Separator();
+  items(context, {kCompareUniform});
   if (begin_menu(context, "Face colours")) {
     items(context, {kTintDepth, kTintLevel, kTintNone});
     ImGui::EndMenu();

@@ -70,6 +70,8 @@ struct DisplaySettings {
   bool numbers = false;  ///< Depth or level on faces large enough to hold it.
   Tint tint = Tint::kDepth;
   Material material = Material::kStudio;
+  /// `second` is the painting's own scheme, uniform to its greatest depth.
+  bool is_second_uniform = false;
   std::optional<SchemeSettings> second{};  ///< A uniform scheme beside what the document shows.
 
   [[nodiscard]] bool operator==(const DisplaySettings&) const = default;
@@ -237,6 +239,22 @@ struct MendFocus {
   glm::dvec3 position{0.0};  ///< In mesh units.
 };
 
+/// What may be amiss with a surface.
+enum class FlawKind : std::uint8_t {
+  kBoundary,   ///< A loop of boundary edges of the control mesh.
+  kTJunction,  ///< A vertex of the control mesh on an edge that is not joined to it.
+  kCrack,      ///< A face of the refined mesh beside a crack.
+};
+inline constexpr std::size_t kFlawKinds = 3;
+
+/// The flaw that the person was led to last.
+struct FlawFocus {
+  FlawKind kind{};
+  std::size_t element = 0;
+  std::size_t count = 0;
+  glm::dvec3 position{0.0};  ///< In mesh units.
+};
+
 /// The control face under the cursor.
 struct HoverInfo {
   std::uint32_t face = 0;
@@ -357,6 +375,8 @@ struct Model {
   std::optional<HoverInfo> hover{};
   std::optional<EdgeHover> hover_edge{};
   std::optional<MendFocus> mend_focus{};
+  std::size_t t_junctions = 0;               ///< Of the control mesh.
+  std::optional<FlawFocus> flaw_focus{};     ///< At most one of the two is there.
   std::optional<WindowPoint> mend_marker{};  ///< Where it shows, if it does.
   bool is_stroking = false;                  ///< A brush stroke is going on.
   std::optional<PaintForecast> forecast{};   ///< Nothing while it is not known.

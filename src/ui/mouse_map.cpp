@@ -90,7 +90,13 @@ std::span<const GestureLine, kCameraGestureCount> gesture_lines(NavigationPreset
   return kOriginalLines;
 }
 
-std::string_view navigation_hint(NavigationPreset preset, bool is_left_free) noexcept {
+std::string_view navigation_hint(NavigationPreset preset, bool is_left_free,
+                                 bool takes_background) noexcept {
+  if (takes_background && preset != NavigationPreset::kOriginal) {
+    return preset == NavigationPreset::kMouseOnly
+               ? "Right drag: orbit · Middle drag: pan · Wheel: zoom"
+               : "Alt + left drag: orbit · Right drag: pan · Middle or wheel: zoom";
+  }
   switch (preset) {
     case NavigationPreset::kMouseOnly:
       return is_left_free ? "Left or right drag: orbit · Middle drag: pan · Wheel: zoom"

@@ -46,7 +46,9 @@ struct GestureLine {
     NavigationPreset preset) noexcept;
 
 /// The short form for the status line, behind what the tool does, or alone where left is free:
-/// "Alt or middle drag: orbit · Wheel: zoom".
-[[nodiscard]] std::string_view navigation_hint(NavigationPreset preset, bool is_left_free) noexcept;
+/// "Alt or middle drag: orbit · Wheel: zoom". `takes_background`: left is the tool's beside the
+/// mesh as well.
+[[nodiscard]] std::string_view navigation_hint(NavigationPreset preset, bool is_left_free,
+                                               bool takes_background = false) noexcept;
 
 }  // namespace limn::ui

@@ -4,6 +4,7 @@
 
 #include "limn/mesh/statistics.h"
 #include "limn/subdivision/crack_check.h"
+#include "ui/availability.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -16,6 +17,35 @@ constexpr const char* kNothing = "–";
 std::size_t faces_with(const MeshStatistics& statistics, std::size_t sides) {
   const auto found = statistics.faces_by_sides.find(sides);
   return found == statistics.faces_by_sides.end() ? 0 : found->second;
+}
+
+/// The way from one place of a kind to the next, where there are any.
+void way_to(PanelContext& context, FlawKind kind, const std::string& name) {
+  const std::size_t count = count_of(context.model, kind);
+  if (count == 0) {
+    return;
+  }
+  ImGui::PushID(name.c_str());
+  const std::optional<FlawFocus>& focus = context.model.flaw_focus;
+  const bool is_shown = focus && focus->kind == kind;
+  const auto value = static_cast<int>(kind);
+  if (is_shown && count > 1) {
+    action_button(context, Action(ActionId::kPreviousFlaw, value),
+                  {.label = "Previous", .width = context.px(80)});
+    remember(context, "previous " + name);
+    ImGui::SameLine();
+  }
+  action_button(context, Action(ActionId::kNextFlaw, value),
+                {.label = is_shown && count > 1 ? "Next" : "Show", .width = context.px(80)});
+  remember(context, "next " + name);
+  if (is_shown) {
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const std::string text = grouped(focus->element + 1) + " of " + grouped(focus->count);
+    ImGui::TextUnformatted(text.c_str());
+  }
+  ImGui::Dummy({0.0F, context.px(2)});
+  ImGui::PopID();
 }
 
 void control_rows(PanelContext& context) {
@@ -31,6 +61,15 @@ void control_rows(PanelContext& context) {
                       "Faces with five sides or more."});
   value_row(context, {"Boundary edges", grouped(s.boundary_edges),
                       "Edges with one face only, where the surface ends."});
+  value_row(context, {"Boundary loops", grouped(s.boundary_loops),
+                      "Rims and holes: closed ways along boundary edges."});
+  way_to(context, FlawKind::kBoundary, "boundary loop");
+  const std::size_t t_junctions = context.model.t_junctions;
+  value_row(context, {"T-junctions", t_junctions == 0 ? "none" : grouped(t_junctions),
+                      "Vertices on a boundary edge that they are not joined to. The mesh looks "
+                      "closed there, but cracks open when it is subdivided.",
+                      t_junctions > 0});
+  way_to(context, FlawKind::kTJunction, "T-junction");
   value_row(context, {"Creased edges", grouped(s.crease_edges),
                       "Edges that stay sharp for a number of levels, or for ever."});
   value_row(context, {"Sharp vertices", grouped(s.sharp_vertices),
@@ -80,6 +119,7 @@ void refined_rows(PanelContext& context) {
                       "Faces beside a hole or a T-junction that the control mesh does not have. "
                       "Checked edge by edge after every refinement.",
                       is_cracked});
+  way_to(context, FlawKind::kCrack, "crack");
   row("Memory", "Of the refined mesh.",
       [](const RefinementResult& r) { return bytes_text(r.bytes); });
   row("Time", "To find the labels, and to refine.", [](const RefinementResult& r) {

@@ -86,18 +86,25 @@ void draw_captions(PanelContext& context, ImDrawList& list, const WindowRect& vi
   const auto facts = [](int level, std::size_t count) {
     return "Level " + std::to_string(level) + " · " + counted(count, "face");
   };
+  std::string first = facts(levels, faces);
+  if (model.display.is_second_uniform && model.second.faces && !model.second.is_over_budget) {
+    first += ", " +
+             percent_text(static_cast<double>(faces), static_cast<double>(*model.second.faces)) +
+             " of uniform";
+  }
   draw_caption(context, list, halves.first,
-               model.document.scheme ? scheme_title(*model.document.scheme) : "As painted",
-               facts(levels, faces));
+               model.document.scheme ? scheme_title(*model.document.scheme) : "As painted", first);
   if (!halves.second) {
     return;
   }
   const SecondStatus& second = model.second;
-  draw_caption(context, list, *halves.second, scheme_title(*model.display.second),
-               second.misfit           ? "Does not take this mesh"
-               : second.is_over_budget ? "Too many faces for the budget"
-               : second.faces          ? facts(second.levels, *second.faces)
-                                       : "…");
+  draw_caption(
+      context, list, *halves.second,
+      (model.display.is_second_uniform ? "Uniform " : "") + scheme_title(*model.display.second),
+      second.misfit           ? "Does not take this mesh"
+      : second.is_over_budget ? "Too many faces for the budget"
+      : second.faces          ? facts(second.levels, *second.faces)
+                              : "…");
   const auto x = std::floor(static_cast<float>(halves.second->origin.x)) + 0.5F;
   list.AddLine({x, static_cast<float>(viewport.origin.y)},
                {x, static_cast<float>(viewport.origin.y + viewport.size.height)},

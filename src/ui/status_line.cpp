@@ -143,7 +143,8 @@ std::string mouse_hint(const Model& model, const ViewportInput& input) {
     return lowering_hint(model, held);
   }
   const bool is_orbit = model.brush.tool == Tool::kOrbit;
-  const std::string camera(navigation_hint(model.navigation.preset, is_orbit));
+  const std::string camera(
+      navigation_hint(model.navigation.preset, is_orbit, is_area(model.brush.tool)));
   return is_orbit ? camera : tool_hint(model) + " · " + camera;
 }
 

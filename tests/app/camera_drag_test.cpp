@@ -141,6 +141,14 @@ TEST_F(CameraDrags, WithTheMouseAloneLeftBesideTheMeshTurnsAndOnItPaints) {
   EXPECT_TRUE(is_painted());
 }
 
+TEST_F(CameraDrags, WithTheMouseAloneAreasMayBeginBesideTheMesh) {
+  session_.perform(ui::ActionId::kNavigationMouseOnly);
+  session_.perform(ui::ActionId::kToolRectangle);
+  const ViewState before = session_.view();
+  drag(MouseButton::kLeft, kBeside, -250.0, -100.0);
+  EXPECT_EQ(session_.view(), before);
+}
+
 TEST_F(CameraDrags, WithTheMouseAloneMiddlePansAndRightTurns) {
   session_.perform(ui::ActionId::kNavigationMouseOnly);
   const ViewState before = session_.view();

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Looking at the mesh with a real pointer: orbits around the cursor, presets of navigation, the axes
-in the corner, framing.
+in the corner, framing; colours and numbers of faces, the steps of legalisation, uniform beside.
 
 usage: seeing_test.py PROGRAM MESH.obj"""
 
+import os
 import sys
 
 from program import Display, Folder, Program
-from scene import FaceImage, read_obj
+from scene import FaceImage, read_obj, read_png
 
 
 def place_on_mesh(image):
@@ -125,6 +126,75 @@ def frame_face(program, positions, faces):
                      lambda s: s["view"]["distance"] > 2 * state["view"]["distance"])
 
 
+def take_picture(program):
+    """The window as it is, read back."""
+    before = set(os.listdir(program.pictures))
+    program.key("F12")
+
+    def path():
+        return os.path.join(program.pictures, (set(os.listdir(program.pictures)) - before).pop())
+
+    program.wait_for("a picture is taken", lambda _: set(os.listdir(program.pictures)) - before)
+    program.wait_for("it is written whole", lambda _: b"IEND" in open(path(), "rb").read()[-12:])
+    return read_png(path())
+
+
+def colours_and_numbers(program, positions, faces):
+    """Without light and wires, colours are those of the palette: by depth, by level, or none."""
+    image = FaceImage(positions, faces, program.state)
+    place, face = place_on_mesh(image)
+    program.click(*image.to_window(place))
+    program.wait_for("a face is painted", lambda s: s["depths"][face] == 1)
+    program.key("l")
+    program.key("w")
+    program.move(*program.item("menu: Help"))  # Off the mesh, so that nothing lights up.
+    program.wait_for("the cursor is off the mesh", lambda s: s["hover"] is None)
+    shown = []
+    for key in ("F5", "F6", "F7"):
+        program.key(key)
+        shown.append(take_picture(program))
+    x, y = (round(part) for part in image.to_window((place[0] + 2, place[1] + 2)))
+    by_depth, by_level, plain = (rows[y][x] for _, _, rows in shown)
+    assert by_depth == (0xDB, 0xEF, 0x89), by_depth
+    assert by_level == plain == (0xC8, 0xC4, 0xBD), "the control mesh is of level 0"
+    program.key("F5")
+    program.key("ctrl+n")
+    _, _, rows = take_picture(program)
+    around = [rows[y + dy][x + dx] for dy in range(-12, 8) for dx in range(-12, 8)]
+    assert any(max(pixel) < 60 for pixel in around), "a digit is written on the face"
+    for key in ("ctrl+n", "l", "w"):
+        program.key(key)
+    return face
+
+
+def step_through(program):
+    """What the painted face makes illegal, step by step; the control mesh shows meanwhile."""
+    before = program.state
+    program.key("shift+Right")
+    state = program.wait_for("the steps are shown", lambda s: s["steps"]["size"] > 0)
+    count = state["steps"]["size"]
+    assert state["steps"]["position"] == 0
+    for position in range(1, min(count, 3) + 1):
+        program.key("shift+Right")
+        program.wait_for("a step is made", lambda s: s["steps"]["position"] == position)
+    program.key("shift+Left")
+    program.wait_for("it is taken back", lambda s: s["steps"]["position"] == min(count, 3) - 1)
+    program.key("shift+Down")
+    program.wait_for("all are made", lambda s: s["steps"]["position"] == count)
+    program.key("Escape")
+    state = program.wait_for("the steps are left", lambda s: not s["steps"]["shown"])
+    assert state["depths"] == before["depths"] and state["undo"] == before["undo"]
+
+
+def uniform_beside(program):
+    whole = program.state["viewport"][2]
+    program.key("F8")
+    program.wait_for("the view has two halves",
+                     lambda s: s["split"] and s["viewport"][2] < 0.6 * whole and not s["busy"])
+    program.key("F8")
+    program.wait_for("it is whole again", lambda s: not s["split"] and s["viewport"][2] == whole)
+
+
 def main():
     executable, mesh = sys.argv[1:3]
     positions, faces = read_obj(mesh)
@@ -141,6 +211,9 @@ def main():
                 mouse_alone(program, positions, faces)
                 click_axes(program)
                 frame_face(program, positions, faces)
+                colours_and_numbers(program, positions, faces)
+                step_through(program)
+                uniform_beside(program)
             finally:
                 program.kill()
     finally:

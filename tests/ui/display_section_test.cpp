@@ -25,5 +25,43 @@ TEST(DisplaySection, ColoursAndMaterialAreChoices) {
                           Action(ActionId::kToggleNumbers, true)));
 }
 
+TEST(DisplaySection, UniformBesideIsAToggle) {
+  Screen screen({1280, 2000});
+  screen.click("Uniform beside");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kCompareUniform, true)));
+  screen.model.display.second = SchemeSettings{};
+  screen.model.display.is_second_uniform = true;
+  screen.click("Uniform beside");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kCompareUniform, false)));
+}
+
+TEST(NumbersSection, WhatIsAmissCanBeLedTo) {
+  Screen screen({1280, 3000});
+  EXPECT_FALSE(screen.has("next boundary loop"));
+  EXPECT_FALSE(screen.has("next T-junction"));
+  EXPECT_FALSE(screen.has("next crack"));
+  screen.statistics.boundary_loops = 2;
+  screen.model.t_junctions = 1;
+  RefinementResult result;
+  screen.cracks.crack_faces = {4, 7};
+  screen.cracks.boundary_edges = 3;
+  result.cracks = &screen.cracks;
+  screen.model.refinement.result = result;
+  screen.settle();
+  screen.click("next boundary loop");
+  screen.click("next T-junction");
+  screen.click("next crack");
+  EXPECT_THAT(screen.take_actions(),
+              ElementsAre(Action(ActionId::kNextFlaw, static_cast<int>(FlawKind::kBoundary)),
+                          Action(ActionId::kNextFlaw, static_cast<int>(FlawKind::kTJunction)),
+                          Action(ActionId::kNextFlaw, static_cast<int>(FlawKind::kCrack))));
+  EXPECT_FALSE(screen.has("previous crack"));
+  screen.model.flaw_focus = FlawFocus{FlawKind::kCrack, 0, 2, {}};
+  screen.settle();
+  screen.click("previous crack");
+  EXPECT_THAT(screen.take_actions(),
+              ElementsAre(Action(ActionId::kPreviousFlaw, static_cast<int>(FlawKind::kCrack))));
+}
+
 }  // namespace
 }  // namespace limn::ui

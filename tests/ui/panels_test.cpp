@@ -423,12 +423,13 @@ TEST(Panels, EveryActionIsReachable) {
     const std::string label(action.label);
     const bool is_drawn = names.contains(label) || names.contains("menu: " + label) ||
                           names.contains("tool: " + label);
-    // Bundled meshes, folders, schemes, their levels, steps of the history and mended places are
-    // reached by their names, tested where those are.
-    const bool is_by_name = action.value == ValueKind::kText ||
-                            action.id == ActionId::kSetSchemeLevel ||
-                            action.id == ActionId::kGoToStep || action.id == ActionId::kNextMend ||
-                            action.id == ActionId::kPreviousMend;
+    // Bundled meshes, folders, schemes, their levels, steps of the history, mended places and flaws
+    // are reached by their names, tested where those are.
+    const bool is_by_name =
+        action.value == ValueKind::kText || action.id == ActionId::kSetSchemeLevel ||
+        action.id == ActionId::kGoToStep || action.id == ActionId::kNextMend ||
+        action.id == ActionId::kPreviousMend || action.id == ActionId::kNextFlaw ||
+        action.id == ActionId::kPreviousFlaw;
     EXPECT_TRUE(reached.contains(action.id) || is_drawn || is_by_name) << label;
   }
 }
