@@ -42,6 +42,7 @@ FaceDepths invert(const FaceDepths& depths) {
 
 /// sum / count to the nearest whole number, a half towards `own`.
 int rounded_mean(int sum, int count, int own) {
+  LIMN_EXPECTS(count > 0);
   const int twice = 2 * sum;
   // `low` is the lower of the two numbers that the mean lies between.
   const int low = sum / count;

@@ -106,7 +106,6 @@ std::vector<Binding> shared_bindings() {
 
       {{Key::kP, kPlain}, kToolPaint},
       {{Key::kP, kShift}, kToolLower},
-      {{Key::kU, kPlain}, kToolFill},
       {{Key::kU, kShift}, kToolSmartFill},
       {{Key::kQ, kPlain}, kToolRectangle},
       {{Key::kQ, kShift}, kToolLasso},
@@ -190,6 +189,7 @@ std::vector<Binding> make_original() {
                             {{Key::kB, kPlain}, kUndo},
                             {{Key::kA, kPlain}, kRaiseAll},
                             {{Key::kF, kPlain}, kToolFill},
+                            {{Key::kU, kPlain}, kToolFill},
                             {{Key::kSpace, kPlain}, kLowerAll},
                             {{Key::kJ, kPlain}, kRaiseDihedral},
                             {{Key::kK, kPlain}, kRaiseVisible},
@@ -211,6 +211,7 @@ std::vector<Binding> make_classroom() {
                             {{Key::kR, kPlain}, kRemoveIllegal},
                             {{Key::kS, kPlain}, kToggleSmooth},
                             {{Key::kF, kPlain}, kToggleFaces},
+                            {{Key::kU, kPlain}, kToolFill},
                             {{Key::kE, kPlain}, kToggleWireframe},
                             {{Key::kW, kPlain}, kToggleWireframe},
                         });

@@ -129,7 +129,9 @@ void axis_toggle(PanelContext& context, ActionId id, const char* letter) {
 void mirror_row(PanelContext& context) {
   const float gap = context.px(6);
   ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
   ImGui::TextUnformatted("Mirror");
+  ImGui::PopStyleColor();
   ImGui::SameLine(0.0F, context.px(12));
   axis_toggle(context, ActionId::kToggleMirrorX, "X");
   ImGui::SameLine(0.0F, gap);

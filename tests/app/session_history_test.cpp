@@ -30,7 +30,8 @@ class Worker {
         stroke();
         break;
       case 3:
-        session_.perform(one_of({kRaiseAll, kLowerAll, kZeroAll, kRaiseDihedral}));
+        session_.perform(one_of({kRaiseAll, kLowerAll, kZeroAll, kRaiseDihedral, kGrowPainting,
+                                 kShrinkPainting, kSmoothPainting, kInvertPainting}));
         break;
       case 4:
         session_.perform(one_of({kCreaseDihedral, kClearCreases}));

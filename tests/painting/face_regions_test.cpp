@@ -9,9 +9,9 @@
 #include <numeric>
 #include <utility>
 
-#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "limn/mesh/bundled.h"
 #include "limn/painting/selection.h"

@@ -16,7 +16,6 @@ namespace limn {
 namespace {
 
 using test::MeshPointer;
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::UnorderedElementsAre;
 
@@ -112,6 +111,7 @@ TEST(FaceMirror, TakesAllImagesOfAllCombinations) {
   EXPECT_EQ(mirror.lone_faces(), 0U);
   for (std::uint32_t f = 0; f < mesh->face_count(); f += 7) {
     std::vector<std::uint32_t> expected;
+    expected.reserve(kAllAxes.size());
     for (const MirrorAxes& axes : kAllAxes) {
       expected.push_back(mirror_partners(*mesh, axes)[f]);
     }

@@ -30,7 +30,6 @@ using render::ThroughPicker;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::Not;
 
 using Faces = std::vector<std::uint32_t>;
 
