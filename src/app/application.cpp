@@ -43,11 +43,21 @@ Application::Application(const Preferences& preferences, Project project, Record
                },
            .write_clipboard = [this](const std::string& text) { window_->set_clipboard(text); },
            .recovery_folder = recovery_folder(),
+           .ask_desktop = ask_desktop(),
+           .close_desktop_dialog = [this] { dialog_.close(); },
            .files = recorder,
            .arrivals = recorder},
           preferences, std::move(project), screen_of(*window_)) {
   workbench_.build_graphics();
   listen();
+}
+
+std::function<bool(const DialogRequest&)> Application::ask_desktop() {
+  const std::optional<DialogProgram> program = find_dialog_program();
+  if (!program) {
+    return {};
+  }
+  return [this, program](const DialogRequest& request) { return dialog_.open(*program, request); };
 }
 
 void Application::listen() {
@@ -68,7 +78,8 @@ void Application::begin_recording(std::string input, std::string project) {
                     .project = std::move(project),
                     .screen = screen(),
                     .preferences = workbench_.preferences(),
-                    .memory_budget = memory});
+                    .memory_budget = memory,
+                    .has_desktop_dialogs = find_dialog_program().has_value()});
 }
 
 Screen Application::screen() const {
@@ -146,7 +157,7 @@ void Application::wait() {
 
 bool Application::take_news(double now) {
   Workbench::News news{std::exchange(dropped_, {}), window_->take_close_request(),
-                       window_->take_moved_under_alt()};
+                       window_->take_moved_under_alt(), dialog_.take_answer()};
   std::ranges::move(window_->take_dropped_files(), std::back_inserter(news.dropped_files));
   if (recorder_ != nullptr) {
     recorder_->begin_turn(news, now);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -44,6 +45,8 @@ class Application {
  private:
   /// Waits for input, time or news from other threads, as long as there is nothing to draw.
   void wait();
+  /// What opens the desktop's dialogs; empty where there are none.
+  [[nodiscard]] std::function<bool(const DialogRequest&)> ask_desktop();
   /// Has the recorder hear of every event.
   void listen();
   /// Takes in what has happened; true where a frame must be drawn.
@@ -56,6 +59,7 @@ class Application {
   [[nodiscard]] Screen screen() const;
 
   std::unique_ptr<Window> window_;  // First: its context goes after everything drawn with it.
+  DesktopDialog dialog_{[] { Window::post_wake(); }};
   Recorder* recorder_;
   Workbench workbench_;
 

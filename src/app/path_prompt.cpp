@@ -94,6 +94,9 @@ ui::PathPrompt list_folder(Purpose purpose, const fs::path& folder) {
 }
 
 fs::path with_ending(Purpose purpose, fs::path path) {
+  if (purpose == Purpose::kOpen || purpose == Purpose::kReplaceMesh) {
+    return path;
+  }
   if (path.extension().empty()) {
     path += purpose == Purpose::kExportRefined ? ".obj" : ".limn";
   } else if (purpose == Purpose::kSaveProject && lower_ending(path) != ".limn") {

@@ -112,6 +112,7 @@ Preferences from_json(const Json& json) {
   read_brush(root, preferences.brush);
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
   root.read("crease_sharpness", preferences.crease_sharpness, 0.0, 10.0);
+  root.read("desktop_dialogs", preferences.uses_desktop_dialogs);
   root.read("face_budget", preferences.face_budget);
   preferences.face_budget = std::max<std::uint64_t>(preferences.face_budget, 1000);
 
@@ -164,6 +165,7 @@ Json to_json(const Preferences& preferences) {
         {"mirror_z", preferences.brush.mirror.z}}},
       {"dihedral_threshold", preferences.dihedral_threshold},
       {"crease_sharpness", preferences.crease_sharpness},
+      {"desktop_dialogs", preferences.uses_desktop_dialogs},
       {"face_budget", preferences.face_budget},
       {"panel",
        {{"width", layout.panel_width},

@@ -23,6 +23,7 @@ struct Preferences {
   ui::BrushSettings brush;  ///< All but the tool.
   double dihedral_threshold = 30.0;
   double crease_sharpness = 2.0;
+  bool uses_desktop_dialogs = true;  ///< Where there are any.
   std::uint64_t face_budget = LiveRefinement::kDefaultBudget;
   ui::PanelLayout layout;
   ui::WindowSize window{1280.0, 800.0};  ///< Design units: before the monitor's scale.

@@ -219,6 +219,11 @@ bool Session::perform_program(const ui::Action& action) {
       navigation_.preset = ui::NavigationPreset::kClassroom;
       brush_.tool = ui::Tool::kOrbit;
       return true;
+    case kToggleDesktopDialogs: {
+      const auto* wanted = std::get_if<bool>(&action.value);
+      uses_desktop_dialogs_ = wanted != nullptr ? *wanted : !uses_desktop_dialogs_;
+      return true;
+    }
     case kCancel:
       cancel();
       return true;
@@ -235,6 +240,9 @@ void Session::cancel() {
       export_path_.reset();
     }
     held_back_.reset();
+    if (std::holds_alternative<ui::DesktopDialogNote>(modal_)) {
+      host_.close_desktop_dialog();
+    }
     if (std::holds_alternative<ui::RecoveryQuestion>(modal_)) {
       lost_.clear();  // They stay where they are, for the next run to ask about.
     }
@@ -262,7 +270,10 @@ bool Session::perform_answer(const ui::Action& action) {
     case kBrowse:
       if (const auto* prompt = std::get_if<ui::PathPrompt>(&modal_)) {
         last_folder_ = std::get<std::string>(action.value);
-        ask_for_path(prompt->purpose);
+        prompt_for_path(prompt->purpose);
+      } else if (const auto* note = std::get_if<ui::DesktopDialogNote>(&modal_)) {
+        host_.close_desktop_dialog();
+        prompt_for_path(note->purpose);
       }
       return true;
     case kRefineAnyway:
@@ -342,6 +353,8 @@ ui::Model Session::model() const {
       .recent_files = recent_,
       .toasts = toasts_.shown(),
       .modal = modal_,
+      .has_desktop_dialogs = static_cast<bool>(host_.ask_desktop),
+      .uses_desktop_dialogs = uses_desktop_dialogs_,
   };
 }
 

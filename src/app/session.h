@@ -14,6 +14,7 @@
 
 #include "app/autosave.h"
 #include "app/camera_motion.h"
+#include "app/desktop_dialog.h"
 #include "app/export_job.h"
 #include "app/file_access.h"
 #include "app/legalisation_stepper.h"
@@ -46,6 +47,10 @@ struct SessionHost {
   std::filesystem::path recovery_folder{};
   /// What is read and written; must outlive the session. Null: the disk.
   FileAccess* files = nullptr;
+  /// Opens a dialog of the desktop; false where there is none. Its answer comes by
+  /// `answer_dialog`. Empty: there is none.
+  std::function<bool(const DialogRequest&)> ask_desktop{};
+  std::function<void()> close_desktop_dialog{};
   /// When news of other threads are taken in; must outlive the session. Null: as they come.
   Arrivals* arrivals = nullptr;
 };
@@ -70,6 +75,9 @@ class Session {
   void begin_refining() { refinement_.follow(document_, wish()); }
   /// When `update` next has something to do of its own accord; infinity where it waits for others.
   [[nodiscard]] double next_update() const noexcept;
+
+  /// The person has chosen a file in the dialog of the desktop; an empty path: none.
+  void answer_dialog(ui::PathPrompt::Purpose purpose, const std::filesystem::path& path);
 
   /// Shows a document that was read before the session began. Asks nothing.
   void show(Project project);
@@ -122,6 +130,8 @@ class Session {
                const ui::BrushSettings& brush, double dihedral_threshold);
   void set_navigation(const ui::NavigationSettings& navigation) { navigation_ = navigation; }
   void set_crease_sharpness(double sharpness) noexcept { crease_sharpness_ = sharpness; }
+  void set_uses_desktop_dialogs(bool uses) noexcept { uses_desktop_dialogs_ = uses; }
+  [[nodiscard]] bool uses_desktop_dialogs() const noexcept { return uses_desktop_dialogs_; }
   void set_recent_files(std::vector<std::string> files) { recent_ = std::move(files); }
   /// For tests: instead of what the machine can spare.
   void set_memory_budget(std::uint64_t bytes) noexcept { refinement_.set_memory_budget(bytes); }
@@ -215,6 +225,9 @@ class Session {
   bool report_export();
   [[nodiscard]] std::array<std::string, MeshFormats.size()> export_losses() const;
   void ask_for_path(ui::PathPrompt::Purpose purpose);
+  /// The same in our own prompt, with a name of its own where that is not empty.
+  void prompt_for_path(ui::PathPrompt::Purpose purpose, const std::string& name = {});
+  [[nodiscard]] std::string suggested_name(ui::PathPrompt::Purpose purpose) const;
 
   void paint(const PaintRule& rule, const std::string& what);
   void crease(const CreaseRule& rule, std::string_view nothing);
@@ -289,6 +302,7 @@ class Session {
   bool may_lose_all_ = false;            ///< While `held_back_` is carried out.
   bool goes_on_after_save_ = false;      ///< `held_back_` follows once saving has worked.
   std::uint64_t prompt_serial_ = 0;
+  bool uses_desktop_dialogs_ = true;
   std::filesystem::path last_folder_;
   std::optional<std::filesystem::path> export_path_;  ///< Waits for the refinement.
   std::optional<std::filesystem::path> screenshot_path_;

@@ -212,10 +212,32 @@ bool Session::report_export() {
   return true;
 }
 
+std::string Session::suggested_name(Purpose purpose) const {
+  switch (purpose) {
+    case Purpose::kSaveProject:
+      return stem_of(document_) + ".limn";
+    case Purpose::kExportRefined:
+      return stem_of(document_) + "-refined.obj";
+    case Purpose::kOpen:
+    case Purpose::kReplaceMesh:
+      break;
+  }
+  return {};
+}
+
 void Session::ask_for_path(Purpose purpose) {
   if (last_folder_.empty()) {
     last_folder_ = files_.working_folder();
   }
+  if (uses_desktop_dialogs_ && host_.ask_desktop &&
+      host_.ask_desktop({purpose, last_folder_, suggested_name(purpose)})) {
+    modal_ = ui::DesktopDialogNote{purpose, last_folder_.string()};
+  } else {
+    prompt_for_path(purpose);
+  }
+}
+
+void Session::prompt_for_path(Purpose purpose, const std::string& name) {
   ui::PathPrompt prompt = files_.list(purpose, last_folder_);
   if (const auto* before = std::get_if<ui::PathPrompt>(&modal_);
       before != nullptr && before->purpose == purpose) {
@@ -223,13 +245,39 @@ void Session::ask_for_path(Purpose purpose) {
   } else {
     prompt.serial = ++prompt_serial_;
   }
-  if (purpose == Purpose::kSaveProject) {
-    prompt.suggested_name = stem_of(document_) + ".limn";
-  } else if (purpose == Purpose::kExportRefined) {
-    prompt.suggested_name = stem_of(document_) + "-refined.obj";
+  prompt.suggested_name = name.empty() ? suggested_name(purpose) : name;
+  if (purpose == Purpose::kExportRefined) {
     prompt.losses = export_losses();
   }
   modal_ = std::move(prompt);
+}
+
+void Session::answer_dialog(Purpose purpose, const fs::path& path) {
+  if (!std::holds_alternative<ui::DesktopDialogNote>(modal_)) {
+    return;  // It was closed meanwhile.
+  }
+  if (path.empty()) {
+    perform(kCancel);
+    return;
+  }
+  modal_ = std::monostate{};
+  const fs::path whole = with_ending(purpose, path);
+  if (whole != path) {
+    // The dialog has not asked about the file of this name, if there is one: ours does.
+    last_folder_ = whole.parent_path();
+    prompt_for_path(purpose, whole.filename().string());
+    return;
+  }
+  switch (purpose) {
+    case Purpose::kOpen:
+      return perform({kOpen, path.string()});
+    case Purpose::kReplaceMesh:
+      return perform({kReplaceMesh, path.string()});
+    case Purpose::kSaveProject:
+      return perform({kSaveProjectAs, path.string()});
+    case Purpose::kExportRefined:
+      return perform({kExportRefined, path.string()});
+  }
 }
 
 /// Of the refined mesh, or of the control mesh where that is not to be had at once or so large that

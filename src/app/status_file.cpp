@@ -21,7 +21,7 @@ Json rect_json(const ui::WindowRect& rect) {
 }
 
 std::string modal_name(const ui::Modal& modal) {
-  constexpr std::array kNames = {"", "error", "over_budget", "unsaved", "help", "path", "recovery"};
+  constexpr std::array kNames = {"", "error", "over_budget", "unsaved", "help", "path", "recovery", "desktop_dialog"};
   static_assert(kNames.size() == std::variant_size_v<ui::Modal>);
   return kNames.at(modal.index());
 }

@@ -38,18 +38,23 @@ class ScenePicker final : public ViewportPicker {
 Workbench::Workbench(WorkbenchHost host, const Preferences& preferences, Project project,
                      const Screen& screen)
     : gui_(std::move(host.fonts), screen.scale),
-      session_({std::move(host.wake),
-                [this]() -> Result<std::vector<std::uint32_t>> {
+      session_({.wake = std::move(host.wake),
+                .visible_faces = [this]() -> Result<std::vector<std::uint32_t>> {
                   sync_scene();
                   return scene_->visible_faces(session_, place_.size);
                 },
-                std::move(host.recovery_folder), host.files, host.arrivals}) {
+                .recovery_folder = std::move(host.recovery_folder),
+                .files = host.files,
+                .ask_desktop = std::move(host.ask_desktop),
+                .close_desktop_dialog = std::move(host.close_desktop_dialog),
+                .arrivals = host.arrivals}) {
   gui_.set_layout(preferences.layout);
   gui_.set_clipboard(std::move(host.read_clipboard), std::move(host.write_clipboard));
   session_.restore(preferences.display, preferences.keymap, preferences.brush,
                    preferences.dihedral_threshold);
   session_.set_navigation(preferences.navigation);
   session_.set_crease_sharpness(preferences.crease_sharpness);
+  session_.set_uses_desktop_dialogs(preferences.uses_desktop_dialogs);
   session_.set_recent_files(preferences.recent_files);
   session_.set_face_budget(preferences.face_budget);
   session_.show(std::move(project));
@@ -70,6 +75,9 @@ void Workbench::drop_graphics() noexcept {
 bool Workbench::take_news(const News& news, double now) {
   for (const std::filesystem::path& file : news.dropped_files) {
     session_.perform({ui::ActionId::kOpen, file.string()});
+  }
+  if (news.chosen) {
+    session_.answer_dialog(news.chosen->purpose, news.chosen->path);
   }
   if (news.close_requested) {
     session_.perform(ui::ActionId::kQuit);
@@ -211,6 +219,7 @@ Preferences Workbench::preferences() const {
   all.brush = session_.brush();
   all.dihedral_threshold = session_.dihedral_threshold();
   all.crease_sharpness = session_.crease_sharpness();
+  all.uses_desktop_dialogs = session_.uses_desktop_dialogs();
   all.face_budget = session_.refinement().face_budget();
   all.layout = gui_.layout();
   all.recent_files = session_.recent_files();

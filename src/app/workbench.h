@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/desktop_dialog.h"
 #include "app/imgui_renderer.h"
 #include "app/preferences.h"
 #include "app/session.h"
@@ -38,6 +39,8 @@ struct WorkbenchHost {
   std::function<void(std::string)> write_clipboard{};
   /// As of SessionHost.
   std::filesystem::path recovery_folder{};
+  std::function<bool(const DialogRequest&)> ask_desktop{};
+  std::function<void()> close_desktop_dialog{};
   FileAccess* files = nullptr;
   Arrivals* arrivals = nullptr;
 };
@@ -66,6 +69,7 @@ class Workbench {
     std::vector<std::filesystem::path> dropped_files;
     bool close_requested = false;
     bool moved_under_alt = false;  ///< The window system keeps Alt and drag for itself.
+    std::optional<DesktopDialog::Answer> chosen{};  ///< In the dialog of the desktop.
   };
   /// Lets time pass and takes in news, of other threads too; `now` in seconds, never falling. True
   /// where there is something new to show.

@@ -174,6 +174,7 @@ enum class ActionId : std::uint8_t {
   kHelp,
   kKeymapOriginal,
   kKeymapClassroom,
+  kToggleDesktopDialogs,  ///< Files are chosen in the desktop's own dialogs, where it has any.
 
   // Answers to what Model::modal shows
   kCancel,          ///< Closes the dialog; otherwise stops the refinement, or gives up the stroke.

@@ -326,6 +326,8 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "The keys of the program Limn grew from. A plain left drag paints."},
     {kKeymapClassroom, kProgram, kNothing, "Classroom keys",
      "The keys of a course's mesh viewer: S smooth, E edges, L light. A plain left drag orbits."},
+    {kToggleDesktopDialogs, kProgram, ValueKind::kToggle, "Dialogs of the desktop",
+     "Choose files in the dialogs of your desktop (zenity or kdialog) instead of in Limn's own."},
 
     {kCancel, kProgram, kNothing, "Cancel",
      "Close the dialog, stop the refinement, or give up the stroke."},

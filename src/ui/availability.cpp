@@ -113,6 +113,8 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kPickDepth:
     case ActionId::kFrameHovered:
       return model.hover.has_value();
+    case ActionId::kToggleDesktopDialogs:
+      return model.has_desktop_dialogs;
     case ActionId::kBrowse:
       return action.value != ActionValue(std::string());
     case ActionId::kBrushBigger:
@@ -269,6 +271,8 @@ bool is_checked(const Model& model, const Action& action) {
       return model.keymap == KeymapId::kOriginal;
     case ActionId::kKeymapClassroom:
       return model.keymap == KeymapId::kClassroom;
+    case ActionId::kToggleDesktopDialogs:
+      return model.uses_desktop_dialogs && model.has_desktop_dialogs;
     default:
       return false;
   }

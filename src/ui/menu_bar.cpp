@@ -47,7 +47,7 @@ void file_menu(PanelContext& context) {
   ImGui::Separator();
   items(context, {kSaveProject, kSaveProjectAs, kExportRefined, kReplaceMesh, kScreenshot});
   ImGui::Separator();
-  items(context, {kQuit});
+  items(context, {kToggleDesktopDialogs, kQuit});
   ImGui::EndMenu();
 }
 

@@ -131,6 +131,14 @@ void draw(PanelContext& context, const PathPrompt& prompt) {
   draw_path_prompt(context, prompt);
 }
 
+void draw(PanelContext& context, const DesktopDialogNote& note) {
+  title(context, "Choose a file");
+  paragraph(
+      "A dialog of your desktop asks for it. If you do not see it, it lies behind this window.");
+  answers(context, std::array{Answer{Action(kBrowse, note.folder), "Use Limn's own instead"},
+                              Answer{kCancel, "Cancel", true}});
+}
+
 /// Design units. Height 0: as high as the contents.
 ImVec2 wanted_size(const Modal& modal) {
   if (std::holds_alternative<HelpSheet>(modal)) {

@@ -328,9 +328,16 @@ struct PathPrompt {
   std::string problem;  ///< Why the folder could not be listed; empty if it could.
 };
 
+/// A dialog of the desktop is open, perhaps behind the window. Answered there, or by kCancel, or by
+/// kBrowse: a PathPrompt instead.
+struct DesktopDialogNote {
+  PathPrompt::Purpose purpose = PathPrompt::Purpose::kOpen;
+  std::string folder;
+};
+
 /// What stands before everything else and wants an answer. One at a time.
 using Modal = std::variant<std::monostate, ErrorDialog, OverBudgetQuestion, UnsavedQuestion,
-                           HelpSheet, PathPrompt, RecoveryQuestion>;
+                           HelpSheet, PathPrompt, RecoveryQuestion, DesktopDialogNote>;
 
 /// Control faces of each depth.
 using DepthCounts = std::array<std::size_t, kMaxDepth + 1>;
@@ -389,6 +396,8 @@ struct Model {
   std::span<const std::string> recent_files{};  ///< Paths, newest first.
   std::span<const Toast> toasts{};
   Modal modal{};
+  bool has_desktop_dialogs = false;  ///< There is a program that shows them.
+  bool uses_desktop_dialogs = true;
 };
 
 /// Whether the viewport has two halves.

@@ -62,6 +62,7 @@ RecordedTurn some_turn() {
   turn.news.dropped_files = {"/tmp/a b.obj"};
   turn.news.close_requested = true;
   turn.news.moved_under_alt = true;
+  turn.news.chosen = {PathPrompt::Purpose::kSaveProject, "/tmp/c.limn"};
   turn.arrivals = {{"refinement", 2}, {"sphere", 1}};
   turn.files = {ImportedFile{"x.ply", "\xFF"},
                 WrittenFile{"y.limn", std::nullopt},
@@ -98,6 +99,9 @@ TEST(Recording, ReadsWhatItWrites) {
   EXPECT_EQ(again.events, turn.events);
   EXPECT_EQ(again.news.dropped_files, turn.news.dropped_files);
   EXPECT_TRUE(again.news.close_requested && again.news.moved_under_alt && again.has_frame);
+  ASSERT_TRUE(again.news.chosen);
+  EXPECT_EQ(again.news.chosen->purpose, turn.news.chosen->purpose);
+  EXPECT_EQ(again.news.chosen->path, turn.news.chosen->path);
   EXPECT_EQ(again.arrivals, turn.arrivals);
   EXPECT_EQ(again.files, turn.files);
   EXPECT_EQ(again.exports, turn.exports);

@@ -41,7 +41,7 @@ class Display:
 class Program:
     """One run of the program, with folders and preferences of its own."""
 
-    def __init__(self, executable, arguments, display, folder):
+    def __init__(self, executable, arguments, display, folder, environment=None):
         self.folder = folder
         self.pictures = os.path.join(folder, "pictures")
         os.makedirs(self.pictures, exist_ok=True)
@@ -51,6 +51,7 @@ class Program:
         self.environment = clean_environment(folder)
         self.environment["DISPLAY"] = display.name
         self.environment["XDG_PICTURES_DIR"] = self.pictures
+        self.environment.update(environment or {})
         self.log_path = os.path.join(folder, "log.txt")
         with open(self.log_path, "wb") as log:
             self.process = subprocess.Popen(
@@ -161,7 +162,7 @@ def clean_environment(folder):
     kept = {k: v for k, v in os.environ.items()
             if k not in ("DISPLAY", "WAYLAND_DISPLAY") and not k.startswith("XDG_")}
     kept.update(HOME=folder, XDG_CONFIG_HOME=os.path.join(folder, "config"),
-                LIBGL_ALWAYS_SOFTWARE="1")
+                LIBGL_ALWAYS_SOFTWARE="1", LIMN_DIALOGS="own")
     return kept
 
 

@@ -45,6 +45,27 @@ def check_bad_file_in_window(executable, display, folder):
         program.kill()
 
 
+def check_desktop_dialog(executable, mesh, display, folder):
+    """Where the desktop has a dialog for files, that is asked."""
+    bin_folder = os.path.join(folder, "bin")
+    os.makedirs(bin_folder)
+    dialog = os.path.join(bin_folder, "zenity")
+    with open(dialog, "w") as file:
+        file.write(f"#!/bin/sh\necho {mesh}\n")
+    os.chmod(dialog, 0o755)
+    program = Program(executable, ["cube"], display, folder,
+                      {"LIMN_DIALOGS": "", "PATH": bin_folder + ":" + os.environ["PATH"]})
+    try:
+        program.wait_for("it has started", lambda s: not s["busy"])
+        program.key("ctrl+o")
+        program.wait_for("what was chosen is open",
+                         lambda s: s["title"].startswith("creature.obj") and not s["modal"])
+        program.close_window()
+        assert program.wait_for_exit() == 0
+    finally:
+        program.kill()
+
+
 def check_no_display(executable, mesh, folder):
     done = run_to_end(executable, [mesh], folder)
     assert done.returncode == 1, done
@@ -150,6 +171,7 @@ def main():
         display = Display()
         try:
             check_bad_file_in_window(executable, display, folder)
+            check_desktop_dialog(executable, mesh, display, folder)
             check_unsaved_and_preferences(executable, display, folder)
             check_recovery(executable, display, folder)
         finally:

@@ -62,6 +62,10 @@ std::optional<T> Player::answer(const char* question) {
 }
 
 WorkbenchHost Player::host() {
+  std::function<bool(const DialogRequest&)> ask_desktop;
+  if (recording_.head.has_desktop_dialogs) {
+    ask_desktop = [](const DialogRequest&) { return true; };
+  }
   return {.wake = [] {},
           .read_clipboard =
               [this] {
@@ -69,6 +73,8 @@ WorkbenchHost Player::host() {
                 return read ? read->text : std::string();
               },
           .write_clipboard = [](const std::string&) {},
+          .ask_desktop = std::move(ask_desktop),
+          .close_desktop_dialog = [] {},
           .files = this,
           .arrivals = this};
 }

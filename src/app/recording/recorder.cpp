@@ -104,8 +104,8 @@ void Recorder::check_document(const Workbench& workbench, bool is_end) {
 
 void Recorder::end_turn(const Workbench& workbench) {
   const std::lock_guard lock(mutex_);
-  const bool has_news =
-      !turn_.news.dropped_files.empty() || turn_.news.close_requested || turn_.news.moved_under_alt;
+  const bool has_news = !turn_.news.dropped_files.empty() || turn_.news.close_requested ||
+                        turn_.news.moved_under_alt || turn_.news.chosen.has_value();
   if (!turn_.has_frame && turn_.events.empty() && !has_news && turn_.arrivals.empty() &&
       turn_.files.empty() && turn_.exports.empty()) {
     return;

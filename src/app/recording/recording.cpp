@@ -243,6 +243,7 @@ RecordingHead head_of(const Line& json) {
   }
   head.preferences = *std::move(preferences);
   head.memory_budget = json.at("memory_budget");
+  head.has_desktop_dialogs = json.at("desktop_dialogs");
   head.files = answers_of(json.at("files"));
   return head;
 }
@@ -267,6 +268,13 @@ RecordedTurn turn_of(const Line& json) {
   }
   turn.news.close_requested = json.value("close", false);
   turn.news.moved_under_alt = json.value("moved_under_alt", false);
+  if (const auto chosen = json.find("chosen"); chosen != json.end()) {
+    const int purpose = chosen->at(0);
+    if (purpose < 0 || purpose > static_cast<int>(ui::PathPrompt::Purpose::kReplaceMesh)) {
+      throw Line::other_error::create(501, "no dialog is for that", &json);
+    }
+    turn.news.chosen = {static_cast<ui::PathPrompt::Purpose>(purpose), text_of_json(chosen->at(1))};
+  }
   for (const Line& arrival : list("arrivals")) {
     turn.arrivals.emplace_back(arrival.at(0).get<std::string>(), arrival.at(1).get<std::size_t>());
   }
@@ -299,6 +307,7 @@ std::string head_line(const RecordingHead& head) {
                   {"screen", screen_json(head.screen)},
                   {"preferences", Line::parse(preferences_text(head.preferences))},
                   {"memory_budget", head.memory_budget},
+                  {"desktop_dialogs", head.has_desktop_dialogs},
                   {"files", answers_json(head.files)}});
 }
 
@@ -319,6 +328,10 @@ std::string turn_line(const RecordedTurn& turn) {
   }
   if (turn.news.moved_under_alt) {
     json["moved_under_alt"] = true;
+  }
+  if (turn.news.chosen) {
+    json["chosen"] = Line::array(
+        {static_cast<int>(turn.news.chosen->purpose), text_json(turn.news.chosen->path.string())});
   }
   for (const auto& [box, count] : turn.arrivals) {
     json["arrivals"].push_back(Line::array({box, count}));

@@ -85,6 +85,7 @@ struct RecordingHead {
   Screen screen;
   Preferences preferences;
   std::uint64_t memory_budget = 0;  ///< Bytes.
+  bool has_desktop_dialogs = false;
   std::vector<FileAnswer> files{};  ///< Of what was asked before the first turn.
 };
 
