@@ -29,6 +29,7 @@ struct RefineOptions {
   MeshOutput output;
   std::string output_folder;
   bool json = false;
+  bool steps = false;  ///< Of the legalisation, too.
 };
 
 namespace fs = std::filesystem;
@@ -72,6 +73,9 @@ Result<nlohmann::ordered_json> refine_and_write(const RefineOptions& options) {
   nlohmann::ordered_json report;
   if (options.json) {
     report = refinement_report(document, *derived);
+    if (options.steps) {
+      report["legalisation"] = legalisation_report(document, *derived);
+    }
     if (!options.output_folder.empty()) {
       report["output"] = options.output.path;
     }
@@ -160,7 +164,13 @@ void add_refine_command(CLI::App& program, Work& work) {
                    "exit code is then that of the first failure")
       ->type_name("DIR");
   add_format_options(*command, options->output);
-  command->add_flag("--json", options->json, "The numbers as JSON on standard output");
+  CLI::Option* json =
+      command->add_flag("--json", options->json, "The numbers as JSON on standard output");
+  command
+      ->add_flag("--steps", options->steps,
+                 "With --json: every vertex that is raised to remove illegal faces, in order, and "
+                 "what it was chosen by")
+      ->needs(json);
   command->callback([options, &work] {
     if (!options->output.path.ends_with(kProjectEnding)) {
       check_output(options->output, options->json, " or .limn");

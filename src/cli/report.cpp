@@ -1,5 +1,6 @@
 #include "cli/report.h"
 
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/painting/crease_palette.h"
+#include "limn/subdivision/legalisation_trace.h"
 
 namespace limn::cli {
 namespace {
@@ -166,6 +168,31 @@ Json control_report(const Document& document) {
       {"mended", mended_counts},
       {"unused_data", mended.unused_data},
   };
+}
+
+Json legalisation_report(const Document& document, const Derived& derived) {
+  const DerivedLabels& labels = derived.labels;
+  const LegalisationTrace trace(document.control, labels.painted, labels.legal,
+                                document.settings.non_quads, document.settings.legalisation);
+  const bool is_greedy = trace.order() == LegalisationMethod::kGreedy;
+  Json moves = Json::array();
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    Json vertices = Json::array();
+    for (const LegalisationStep& step : trace.move(i)) {
+      vertices.push_back(step.vertex);
+    }
+    const LegalisationStep& first = trace.move(i).front();
+    Json move = {{"vertices", vertices}, {"label", first.label}};
+    if (first.label > 0 && is_greedy) {
+      move["illegal_neighbours"] = first.valence;
+      move["cost"] = first.cost;
+    } else if (first.label > 0) {
+      // In tenths, as it is counted: what a float adds is noise.
+      move["score"] = std::round(10.0 * static_cast<double>(first.score)) / 10.0;
+    }
+    moves.push_back(move);
+  }
+  return {{"order", is_greedy ? "greedy" : "look-ahead"}, {"moves", moves}};
 }
 
 Json refinement_report(const Document& document, const Derived& derived) {

@@ -18,6 +18,11 @@ namespace limn::cli {
 [[nodiscard]] nlohmann::ordered_json refinement_report(const Document& document,
                                                        const Derived& derived);
 
+/// The moves of its legalisation in order: which vertices, to what label, and what they were chosen
+/// by.
+[[nodiscard]] nlohmann::ordered_json legalisation_report(const Document& document,
+                                                         const Derived& derived);
+
 /// The same for people: lines of "name  value", thousands separated.
 [[nodiscard]] std::string control_text(const Document& document);
 [[nodiscard]] std::string refinement_text(const Document& document, const Derived& derived);

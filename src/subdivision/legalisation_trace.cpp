@@ -223,6 +223,7 @@ std::vector<LegalisationCandidate> LegalisationTrace::greedy_candidates() const 
     }
   }
   std::vector<LegalisationCandidate> all;
+  all.reserve(illegal.size());
   for (const std::uint32_t v : illegal) {
     all.push_back({v, is_beside_leaf[v] != 0, valences[v], costs[v], 0.0F});
   }

@@ -28,6 +28,31 @@ TEST(Refine, LooksAheadUnlessToldOtherwise) {
   }
 }
 
+TEST(Refine, TellsTheStepsOfTheLegalisation) {
+  const ProgramRun greedy = limn(
+      {"refine", "cube", "--paint", "faces=0:=1", "--legalize", "greedy", "--json", "--steps"});
+  ASSERT_EQ(greedy.exit_code, 0) << greedy.err;
+  const Json steps = Json::parse(greedy.out)["legalisation"];
+  EXPECT_EQ(steps["order"], "greedy");
+  ASSERT_EQ(steps["moves"].size(), 3U);
+  for (const Json& move : steps["moves"]) {
+    EXPECT_EQ(move["label"], 1);
+    EXPECT_EQ(move["vertices"].size(), 1U);
+  }
+  EXPECT_EQ(steps["moves"][0]["illegal_neighbours"], 2) << "a ring of four";
+  EXPECT_EQ(steps["moves"][0]["cost"], 0);
+
+  const ProgramRun ahead = limn({"refine", "cube", "--paint", "faces=0:=1", "--json", "--steps"});
+  ASSERT_EQ(ahead.exit_code, 0) << ahead.err;
+  const Json scored = Json::parse(ahead.out)["legalisation"];
+  EXPECT_EQ(scored["order"], "look-ahead");
+  EXPECT_EQ(scored["moves"].size(), 2U);
+  EXPECT_TRUE(scored["moves"][0]["score"].is_number());
+
+  EXPECT_EQ(limn({"refine", "cube", "--paint", "all:+1", "--steps"}).exit_code, 2)
+      << "it is a part of --json";
+}
+
 TEST(Refine, OneFaceOfTheCubeToDepthFive) {
   const ScratchFolder scratch;
   const ProgramRun run = limn({"refine", "cube", "--paint", "faces=0:=5", "--legalize", "greedy",
