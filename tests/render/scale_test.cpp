@@ -43,12 +43,12 @@ class Scales : public test::GlFixture {
  protected:
   void SetUp() override {
     GlFixture::SetUp();
-    renderer = std::make_unique<MeshRenderer>();
-    picker = std::make_unique<FacePicker>();
+    renderer_ = std::make_unique<MeshRenderer>();
+    picker_ = std::make_unique<FacePicker>();
   }
   void TearDown() override {
-    renderer.reset();
-    picker.reset();
+    renderer_.reset();
+    picker_.reset();
     GlFixture::TearDown();
   }
 
@@ -81,10 +81,10 @@ class Scales : public test::GlFixture {
     scene.surface = &surface;
     scene.paint = &paint;
     Seen seen;
-    seen.picture = draw_picture(*renderer, camera, scene, {}).value_or(Image());
+    seen.picture = draw_picture(*renderer_, camera, scene, {}).value_or(Image());
     for (int y = 5; y < kPicture.height; y += 10) {
       for (int x = 5; x < kPicture.width; x += 10) {
-        const auto picked = picker->pick({surface, camera}, {x + 0.5, y + 0.5});
+        const auto picked = picker_->pick({surface, camera}, {x + 0.5, y + 0.5});
         seen.faces.push_back(picked ? std::int64_t{picked->control_face} : -1);
       }
     }
@@ -103,8 +103,8 @@ class Scales : public test::GlFixture {
     EXPECT_LE(other_faces, a.faces.size() / 50);
   }
 
-  std::unique_ptr<MeshRenderer> renderer;
-  std::unique_ptr<FacePicker> picker;
+  std::unique_ptr<MeshRenderer> renderer_;
+  std::unique_ptr<FacePicker> picker_;
 };
 
 /// The same view of a placed mesh.
@@ -131,14 +131,14 @@ TEST_F(Scales, PictureAndPicksAreTheSameFromMillionthsToMillions) {
       const Seen seen = look(surface, *mesh, view);
       // A hundred times closer to what is seen in the middle.
       const Camera camera = make_camera(view, mesh->bounds(), kPicture);
-      const auto middle = picker->pick({surface, camera}, {120.5, 90.5});
+      const auto middle = picker_->pick({surface, camera}, {120.5, 90.5});
       ASSERT_TRUE(middle);
       for (int i = 0; i < 100; ++i) {
         view = dolly(view, 0.955, middle->position, mesh->bounds());
       }
       const Seen nearer = look(surface, *mesh, view);
       const auto still =
-          picker->pick({surface, make_camera(view, mesh->bounds(), kPicture)}, {120.5, 90.5});
+          picker_->pick({surface, make_camera(view, mesh->bounds(), kPicture)}, {120.5, 90.5});
       ASSERT_TRUE(still) << "nothing is cut away before the eye";
       EXPECT_EQ(still->control_face, middle->control_face);
       if (!whole) {
@@ -180,7 +180,7 @@ TEST_F(Scales, SheetsFarBehindSomethingCloseDoNotFlicker) {
     int behind = 0;
     for (int y = 0; y < kPicture.height; y += 4) {
       for (int x = 0; x < kPicture.width; x += 4) {
-        const auto picked = picker->pick({surface, camera}, {x + 0.5, y + 0.5});
+        const auto picked = picker_->pick({surface, camera}, {x + 0.5, y + 0.5});
         ASSERT_TRUE(picked);
         EXPECT_NE(picked->control_face, 2U) << x << ", " << y;
         behind += picked->control_face == 1U ? 1 : 0;
