@@ -192,6 +192,7 @@ class Session {
   void size_brush(int steps);
   bool perform_steps(const ui::Action& action);  // session_steps.cpp
   void seek_step(std::size_t position);
+  void look_at_step();
   void follow_steps();
   bool perform_scheme(const ui::Action& action);  // session_schemes.cpp, as what follows it
   bool perform_scheme_choice(const ui::Action& action);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -69,6 +70,20 @@ ViewState orbit_about(const ViewState& view, double dx, double dy, const glm::dv
   const glm::dvec3 way = view.target - pivot;
   turned.target = pivot + glm::dot(before.right, way) * after.right +
                   glm::dot(before.up, way) * after.up + glm::dot(before.back, way) * after.back;
+  return turned;
+}
+
+ViewState turn_towards(const ViewState& view, const glm::dvec3& direction) {
+  const double length = glm::length(direction);
+  if (!(length > 0.0)) {
+    return view;
+  }
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  ViewState turned = view;
+  turned.pitch = kDegrees * std::asin(std::clamp(direction.y / length, -1.0, 1.0));
+  if (std::hypot(direction.x, direction.z) > 1e-9 * length) {
+    turned.yaw = kDegrees * std::atan2(direction.x, direction.z);
+  }
   return turned;
 }
 

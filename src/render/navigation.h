@@ -22,6 +22,10 @@ namespace limn::render {
 [[nodiscard]] ViewState orbit_about(const ViewState& view, double dx, double dy,
                                     const glm::dvec3& pivot);
 
+/// `view` turned so that the eye stands in this direction from the target; as it is where the
+/// direction is none.
+[[nodiscard]] ViewState turn_towards(const ViewState& view, const glm::dvec3& direction);
+
 /// What a pan needs to know of the drag.
 struct PanDrag {
   FramebufferPoint from;

@@ -101,6 +101,7 @@ enum class ActionId : std::uint8_t {
   kStepPrevious,
   kStepNext,
   kStepLast,
+  kFrameStep,  ///< Look at the vertex that the next step picks.
 
   // Edges of triangle meshes
   kSplitEdge,  ///< The edge under the cursor.

@@ -202,6 +202,8 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kStepPrevious, kRefine, kNothing, "Previous step", "Take the last step back."},
     {kStepNext, kRefine, kNothing, "Next step", "Raise the vertex that is picked."},
     {kStepLast, kRefine, kNothing, "After the last step", "What all steps together make."},
+    {kFrameStep, kRefine, kNothing, "Look at picked vertex",
+     "Turn and move the camera to the vertex that the next step changes."},
 
     {kSplitEdge, kEdges, kNothing, "Split this edge",
      "Put a vertex in the middle of the edge under the cursor, whichever tool of the two for edges "

@@ -82,6 +82,8 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kStepFirst:
     case ActionId::kStepPrevious:
       return !model.steps.is_shown || model.steps.position > 0;
+    case ActionId::kFrameStep:
+      return !model.steps.candidates.empty() || !model.steps.falling.empty();
     case ActionId::kStepNext:
     case ActionId::kStepLast:
       return !model.steps.is_shown || model.steps.position < model.steps.size;

@@ -152,6 +152,7 @@ std::vector<Binding> shared_bindings() {
       {{Key::kLeftArrow, kShift}, kStepPrevious},
       {{Key::kUpArrow, kShift}, kStepFirst},
       {{Key::kDownArrow, kShift}, kStepLast},
+      {{Key::kPeriod, kShift}, kFrameStep},
       {{Key::kJ, kShift}, kCreaseDihedral},
 
       {{Key::kHome, kPlain}, kFrameAll},

@@ -107,9 +107,11 @@ void view_menu(PanelContext& context) {
   ImGui::Separator();
   items(context, {kFrameAll, kFramePainted, kFrameHovered, kZoomIn, kZoomOut});
   ImGui::Separator();
-  items(context, {kViewFront, kViewBack, kViewLeft, kViewRight, kViewTop, kViewBottom, kViewIso,
-                  kToggleOrthographic});
-  ImGui::Separator();
+  if (begin_menu(context, "Look from")) {
+    items(context, {kViewFront, kViewBack, kViewLeft, kViewRight, kViewTop, kViewBottom, kViewIso});
+    ImGui::EndMenu();
+  }
+  items(context, {kToggleOrthographic});
   if (begin_menu(context, "Navigation")) {
     items(context, {kNavigationOriginal, kNavigationMouseOnly, kNavigationClassroom});
     ImGui::Separator();
@@ -136,7 +138,7 @@ void mesh_menu(PanelContext& context) {
     ImGui::EndMenu();
   }
   if (begin_menu(context, "Step by step")) {
-    items(context, {kToggleSteps, kStepFirst, kStepPrevious, kStepNext, kStepLast});
+    items(context, {kToggleSteps, kStepFirst, kStepPrevious, kStepNext, kStepLast, kFrameStep});
     ImGui::EndMenu();
   }
   if (begin_menu(context, "Faces that are not quads")) {

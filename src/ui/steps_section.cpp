@@ -100,6 +100,7 @@ void draw_steps_section(PanelContext& context) {
                       .value = count(steps.raised),
                       .meaning = "Vertices that have gone from 0 to 1; amber dots."});
   reason(context, steps);
+  action_button(context, ActionId::kFrameStep);
   candidates(context, steps);
   ImGui::PopStyleVar();
   ImGui::EndDisabled();

@@ -48,7 +48,9 @@ class CameraDrags : public testing::Test {
  protected:
   CameraDrags() { session_.perform({ui::ActionId::kOpenBundled, std::string("cube")}); }
 
-  void frame(ui::ViewportInput input) { controller_.update(input, place_, session_, picker_); }
+  void frame(const ui::ViewportInput& input) {
+    controller_.update(input, place_, session_, picker_);
+  }
   void change(MouseButton button, bool is_down) {
     held_.buttons_down[static_cast<std::size_t>(button)] = is_down;
     ui::ViewportInput input = held_;

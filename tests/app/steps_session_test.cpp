@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "app/session.h"
+#include "render/camera.h"
 
 namespace limn::app {
 namespace {
@@ -114,6 +117,26 @@ TEST_F(Steps, AnotherMeshIsFollowedToo) {
   EXPECT_EQ(steps().size, 0U);
   paint(10, 1);
   EXPECT_GT(steps().size, 0U);
+}
+
+TEST_F(Steps, TheCameraGoesToTheVertexThatIsPicked) {
+  session_.perform(kToggleSteps);
+  session_.update(1.0);
+  for (std::size_t step = 0; step < 3; ++step) {
+    session_.perform(kFrameStep);
+    session_.update(10.0 + static_cast<double>(step));
+    session_.update(10.5 + static_cast<double>(step));
+    const glm::dvec3 picked =
+        session_.document().control->positions()[steps().candidates.front().vertex];
+    const render::Camera camera =
+        render::make_camera(session_.view(), session_.document().control->bounds(), {600, 400});
+    EXPECT_GT(glm::dot(camera.back, picked), 0.5) << "its side of the cube faces the eye";
+    const auto shown = render::project(camera, picked);
+    ASSERT_TRUE(shown);
+    EXPECT_NEAR(shown->point.x, 300.0, 150.0);
+    EXPECT_NEAR(shown->point.y, 200.0, 150.0);
+    session_.perform(kStepNext);
+  }
 }
 
 TEST_F(Steps, TheFirstPressOfNextShowsWhereItBegins) {

@@ -105,6 +105,17 @@ TEST(Orbit, AboutAPointAtThePoleStaysThere) {
   expect_same_place(shown_at(view, pivot), before);
 }
 
+TEST(Turn, TowardsADirectionPutsTheEyeThere) {
+  for (const glm::dvec3& direction : {glm::dvec3{1, 2, 3}, glm::dvec3{-4, 0.1, 0.2},
+                                      glm::dvec3{0, -5, 0}, glm::dvec3{0, 0, -1}}) {
+    const ViewState turned = turn_towards(views()[2], direction);
+    const Camera camera = make_camera(turned, kScene, kImageSize);
+    EXPECT_LT(glm::length(camera.back - glm::normalize(direction)), 1e-9);
+    EXPECT_EQ(turned.target, views()[2].target);
+  }
+  EXPECT_EQ(turn_towards(views()[2], glm::dvec3(0.0)), views()[2]);
+}
+
 TEST(Pan, WhatWasGrabbedFollowsTheMouse) {
   for (const ViewState& view : views()) {
     for (const double part : {0.3, 1.0, 2.5}) {

@@ -104,11 +104,11 @@ TEST(Panels, WhatCannotBeDoneCannotBePressed) {
 TEST(Panels, AMenuEntryEmitsItsActionAndClosesTheMenu) {
   Screen screen;
   screen.click("menu: View");
-  ASSERT_TRUE(screen.has("menu: Front view"));
-  screen.click("menu: Front view");
-  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kViewFront)));
+  ASSERT_TRUE(screen.has("menu: Frame all"));
+  screen.click("menu: Frame all");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kFrameAll)));
   screen.settle();
-  EXPECT_FALSE(screen.has("menu: Front view"));
+  EXPECT_FALSE(screen.has("menu: Frame all"));
 }
 
 TEST(Panels, BundledMeshesAreInTheFileMenu) {
