@@ -3,7 +3,9 @@
 #include "app/application.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ctime>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -27,6 +29,16 @@ Screen screen_of(const Window& window) {
   return {window.size(), window.framebuffer_size(), {window.content_scale() / density, density}};
 }
 
+/// "14:05"
+std::string time_of_day() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  std::array<char, 8> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), "%H:%M", &local);
+  return {text.data(), length};
+}
+
 }  // namespace
 
 Application::Application(const Preferences& preferences, Project project, Recorder* recorder)
@@ -45,6 +57,8 @@ Application::Application(const Preferences& preferences, Project project, Record
            .recovery_folder = recovery_folder(),
            .ask_desktop = ask_desktop(),
            .close_desktop_dialog = [this] { dialog_.close(); },
+           // A picture of what is recorded is to be the same when it is played back.
+           .wall_clock = recorder == nullptr ? std::function<std::string()>(time_of_day) : nullptr,
            .files = recorder,
            .arrivals = recorder},
           preferences, std::move(project), screen_of(*window_)) {

@@ -92,6 +92,11 @@ std::optional<Error> Autosave::take_error() {
   return std::exchange(error_, std::nullopt);
 }
 
+Autosave::Standing Autosave::standing() const {
+  const std::lock_guard lock(mutex_);
+  return {kept_copies_, has_copies_ ? problem_ : std::string(), !has_copies_};
+}
+
 bool Autosave::is_busy() const {
   const std::lock_guard lock(mutex_);
   return is_working_ || !tasks_.empty();
@@ -154,10 +159,12 @@ void Autosave::carry_out(Task task) {
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   const std::lock_guard lock(mutex_);
   seconds_ = time.count();
+  problem_ = kept ? std::string() : to_string(kept.error());
   if (!kept && !has_failed_) {
     error_ = std::move(kept.error());
   }
   has_failed_ = !kept;
+  kept_copies_ += kept ? 1 : 0;
 }
 
 }  // namespace limn::app

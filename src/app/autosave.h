@@ -8,6 +8,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <variant>
 
@@ -51,6 +52,14 @@ class Autosave {
   [[nodiscard]] std::optional<Error> take_error();
   void wait_until_idle() const;
 
+  /// How the copying stands.
+  struct Standing {
+    std::uint64_t kept = 0;  ///< Copies written so far; grows.
+    std::string problem;     ///< Why the last one was not; empty where it was.
+    bool is_clear = true;    ///< Nothing is kept, and nothing about to be.
+  };
+  [[nodiscard]] Standing standing() const;
+
  private:
   struct Copy {
     Document document;
@@ -84,6 +93,8 @@ class Autosave {
   double seconds_ = 0.0;  ///< The last copy took.
   bool has_failed_ = false;
   std::optional<Error> error_;
+  std::uint64_t kept_copies_ = 0;
+  std::string problem_;
 
   std::jthread worker_;  ///< Last, so that it stops before anything it uses is gone.
 };

@@ -113,6 +113,7 @@ Preferences from_json(const Json& json) {
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
   root.read("crease_sharpness", preferences.crease_sharpness, 0.0, 10.0);
   root.read("desktop_dialogs", preferences.uses_desktop_dialogs);
+  root.read("hints", preferences.shows_hints);
   root.read("face_budget", preferences.face_budget);
   preferences.face_budget = std::max<std::uint64_t>(preferences.face_budget, 1000);
 
@@ -166,6 +167,7 @@ Json to_json(const Preferences& preferences) {
       {"dihedral_threshold", preferences.dihedral_threshold},
       {"crease_sharpness", preferences.crease_sharpness},
       {"desktop_dialogs", preferences.uses_desktop_dialogs},
+      {"hints", preferences.shows_hints},
       {"face_budget", preferences.face_budget},
       {"panel",
        {{"width", layout.panel_width},
@@ -211,7 +213,9 @@ Result<Preferences> parse_preferences(std::string_view text, const std::string& 
 Result<Preferences> load_preferences(const std::filesystem::path& path) {
   std::error_code ignored;
   if (path.empty() || !std::filesystem::exists(path, ignored)) {
-    return Preferences{};
+    Preferences first;
+    first.shows_hints = true;
+    return first;
   }
   std::ifstream file(path, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});

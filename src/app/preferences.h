@@ -24,6 +24,7 @@ struct Preferences {
   double dihedral_threshold = 30.0;
   double crease_sharpness = 2.0;
   bool uses_desktop_dialogs = true;  ///< Where there are any.
+  bool shows_hints = false;          ///< True at the very first start.
   std::uint64_t face_budget = LiveRefinement::kDefaultBudget;
   ui::PanelLayout layout;
   ui::WindowSize window{1280.0, 800.0};  ///< Design units: before the monitor's scale.
@@ -45,7 +46,7 @@ inline constexpr std::size_t kMostRecentFiles = 10;
                                                     const std::string& source);
 
 /// Reads preferences; numbers out of range are brought into it, what is missing stays as default. A
-/// file that is not there gives the defaults.
+/// file that is not there gives the defaults and, since nobody has been here before, the hints.
 /// Errors: kBadInput where the file is not what `save_preferences` writes.
 [[nodiscard]] Result<Preferences> load_preferences(const std::filesystem::path& path);
 

@@ -197,6 +197,7 @@ bool Session::perform_edit(const ui::Action& action) {
         toast(Kind::kNote, "This is the mesh as it was opened.");
       } else {
         execute(revert_command());
+        toast(Kind::kDone, fmt::format("Revert: {} is as it was opened.", document_.name));
       }
       return true;
     default:
@@ -224,11 +225,25 @@ bool Session::perform_program(const ui::Action& action) {
       uses_desktop_dialogs_ = wanted != nullptr ? *wanted : !uses_desktop_dialogs_;
       return true;
     }
+    case kToggleHints: {
+      const auto* wanted = std::get_if<bool>(&action.value);
+      show_hints(wanted != nullptr ? *wanted : !hints_);
+      return true;
+    }
     case kCancel:
       cancel();
       return true;
     default:
       return false;
+  }
+}
+
+void Session::learn(bool ui::HintCard::*what) {
+  if (hints_) {
+    (*hints_).*what = true;
+    if (hints_->has_painted && hints_->has_orbited) {
+      hints_.reset();
+    }
   }
 }
 
@@ -352,6 +367,8 @@ ui::Model Session::model() const {
       .bundled_meshes = bundled_,
       .recent_files = recent_,
       .toasts = toasts_.shown(),
+      .hints = hints_,
+      .copies = copies_,
       .modal = modal_,
       .has_desktop_dialogs = static_cast<bool>(host_.ask_desktop),
       .uses_desktop_dialogs = uses_desktop_dialogs_,

@@ -51,6 +51,9 @@ struct SessionHost {
   /// `answer_dialog`. Empty: there is none.
   std::function<bool(const DialogRequest&)> ask_desktop{};
   std::function<void()> close_desktop_dialog{};
+  /// What the clock on the wall says, "14:05": for telling when a copy was kept. Empty: nothing is
+  /// told of copies, as in what is recorded to be played back at another time.
+  std::function<std::string()> wall_clock{};
   /// When news of other threads are taken in; must outlive the session. Null: as they come.
   Arrivals* arrivals = nullptr;
 };
@@ -132,6 +135,9 @@ class Session {
   void set_crease_sharpness(double sharpness) noexcept { crease_sharpness_ = sharpness; }
   void set_uses_desktop_dialogs(bool uses) noexcept { uses_desktop_dialogs_ = uses; }
   [[nodiscard]] bool uses_desktop_dialogs() const noexcept { return uses_desktop_dialogs_; }
+  void show_hints(bool shows) { hints_ = shows ? std::optional(ui::HintCard{}) : std::nullopt; }
+  [[nodiscard]] bool shows_hints() const noexcept { return hints_.has_value(); }
+  [[nodiscard]] const ui::CopyStatus& copies() const noexcept { return copies_; }
   void set_recent_files(std::vector<std::string> files) { recent_ = std::move(files); }
   /// For tests: instead of what the machine can spare.
   void set_memory_budget(std::uint64_t bytes) noexcept { refinement_.set_memory_budget(bytes); }
@@ -139,7 +145,7 @@ class Session {
 
   [[nodiscard]] const ViewState& view() const noexcept { return camera_.view(); }
   /// Moves the camera at once: the mouse does.
-  void set_view(const ViewState& view) { camera_.set(view); }
+  void set_view(const ViewState& view);
   /// Width over height of the viewport.
   void set_aspect(double aspect);
   /// The control face under the cursor.
@@ -208,6 +214,9 @@ class Session {
   void ask_about_lost_work();
   /// Keeps copies of unsaved work; returns true where there is something new to show.
   bool follow_autosave();
+  bool follow_copies();
+  /// The person has done one of the things that the card of hints tells; it goes with the last.
+  void learn(bool ui::HintCard::*what);
 
   void execute(std::unique_ptr<Command> command);
   void cancel();
@@ -297,6 +306,10 @@ class Session {
   MeshAids aids_;
   std::size_t lone_faces_ = 0;                 ///< As in ui::Model.
   std::optional<ui::PaintForecast> proposal_;  ///< Without its cost.
+
+  std::optional<ui::HintCard> hints_;
+  ui::CopyStatus copies_;
+  std::uint64_t known_copies_ = 0;  ///< Of the autosave's, at the last update.
 
   ui::Modal modal_;
   std::optional<ui::Action> held_back_;  ///< Waits for the answer about unsaved changes.

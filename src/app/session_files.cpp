@@ -139,7 +139,7 @@ void Session::replace_mesh(const fs::path& path) {
       transfer_painting(*document_.control, document_.depths.values(), mesh->mesh);
   const std::size_t faces = transfer.depths.size();
   std::string text =
-      fmt::format("{} of {} faces found again", faces - transfer.new_faces.size(), faces);
+      fmt::format("Replace: {} of {} faces found again", faces - transfer.new_faces.size(), faces);
   text += transfer.matching == FaceMatching::kOrder ? " by their numbers." : ".";
   if (const std::size_t lost = transfer.lost_faces.size(); lost > 0) {
     text += fmt::format(" {} painted face{} gone.", lost, lost == 1 ? " is" : "s are");

@@ -9,6 +9,8 @@
 #include "app/session.h"
 #include "limn/document/commands.h"
 #include "limn/mesh/refined_mesh.h"
+#include "limn/mesh/statistics.h"
+#include "ui/format.h"
 
 namespace limn::app {
 
@@ -20,6 +22,13 @@ namespace {
 /// "1 face", "12 faces".
 std::string face_count(std::size_t faces) {
   return fmt::format("{} face{}", faces, faces == 1 ? "" : "s");
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
 }
 
 }  // namespace
@@ -75,8 +84,10 @@ void Session::paint(const PaintRule& rule, const std::string& what) {
     toast(Kind::kNote, "No face changes by this.");
     return;
   }
-  const std::string count = face_count(edits->size());
+  const std::size_t faces = edits->size();
+  const std::string count = face_count(faces);
   execute(paint_command(*std::move(edits), fmt::format("{} ({})", what, count)));
+  toast(Kind::kDone, fmt::format("{}: {} changed.", capitalised(what), ui::counted(faces, "face")));
 }
 
 bool Session::perform_creases(const ui::Action& action) {
@@ -107,6 +118,10 @@ void Session::crease(const CreaseRule& rule, std::string_view nothing) {
     return;
   }
   execute(crease_command(document_, rule));
+  const std::size_t edges = mesh_statistics(*document_.control).crease_edges;
+  toast(Kind::kDone, edges == 0 ? std::string("Creases: none are left.")
+                                : fmt::format("Creases: {} edge{} sharp now.", ui::grouped(edges),
+                                              edges == 1 ? " is" : "s are"));
 }
 
 bool Session::perform_subdivision(const ui::Action& action) {
@@ -234,6 +249,8 @@ void Session::apply_refined() {
   }
   execute(
       replace_control_command(to_control_mesh(*refined->mesh, document_.control.get()), "apply"));
+  toast(Kind::kDone, fmt::format("Apply: the control mesh has {} now.",
+                                 ui::counted(document_.control->face_count(), "face")));
 }
 
 }  // namespace limn::app

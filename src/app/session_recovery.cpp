@@ -44,11 +44,30 @@ bool Session::follow_autosave() {
     toast(Kind::kProblem, "No copy of unsaved work can be kept. " + to_string(*error));
     has_news = true;
   }
+  has_news |= follow_copies();
   if (!lost_.empty() && std::holds_alternative<std::monostate>(modal_)) {
     ask_about_lost_work();
     has_news = true;
   }
   return has_news;
+}
+
+bool Session::follow_copies() {
+  if (!host_.wall_clock) {
+    return false;
+  }
+  Autosave::Standing standing = autosave_.standing();
+  ui::CopyStatus now = copies_;
+  if (standing.is_clear) {
+    now.when.clear();
+  } else if (standing.kept != known_copies_) {
+    now.when = host_.wall_clock();
+  }
+  known_copies_ = standing.kept;
+  now.problem = std::move(standing.problem);
+  const bool is_new = now != copies_;
+  copies_ = std::move(now);
+  return is_new;
 }
 
 void Session::offer(std::vector<LostWork> lost) {

@@ -162,6 +162,7 @@ void Session::end_stroke() {
       toast(Kind::kProblem, "There is not enough memory to remember this stroke.");
       return;
     }
+    learn(&ui::HintCard::has_painted);
   }
   stroke_.reset();
 }

@@ -203,6 +203,14 @@ void Session::zoom(double factor) {
   camera_.glide_to(render::dolly(camera_.goal(), factor, document_.control->bounds()), now_);
 }
 
+void Session::set_view(const ViewState& view) {
+  const ViewState& before = camera_.view();
+  if (view.yaw != before.yaw || view.pitch != before.pitch) {
+    learn(&ui::HintCard::has_orbited);
+  }
+  camera_.set(view);
+}
+
 void Session::set_aspect(double aspect) {
   if (!is_framed_) {
     camera_.set(render::default_view(document_.control->positions(), aspect));

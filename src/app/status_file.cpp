@@ -21,7 +21,8 @@ Json rect_json(const ui::WindowRect& rect) {
 }
 
 std::string modal_name(const ui::Modal& modal) {
-  constexpr std::array kNames = {"", "error", "over_budget", "unsaved", "help", "path", "recovery", "desktop_dialog"};
+  constexpr std::array kNames = {"",     "error", "over_budget", "unsaved",
+                                 "help", "path",  "recovery",    "desktop_dialog"};
   static_assert(kNames.size() == std::variant_size_v<ui::Modal>);
   return kNames.at(modal.index());
 }
@@ -120,6 +121,8 @@ Result<void> write_status_file(const std::filesystem::path& path, const Status& 
       {"mirror", to_string(session.brush().mirror)},
       {"shift_draws_lines", session.brush().shift_draws_lines},
       {"forecast", forecast_json(session)},
+      {"hints", session.shows_hints()},
+      {"copy", {{"when", session.copies().when}, {"problem", session.copies().problem}}},
       {"modal", modal_name(session.modal())},
       {"toasts", toasts},
       {"items", items},

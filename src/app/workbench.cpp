@@ -47,6 +47,7 @@ Workbench::Workbench(WorkbenchHost host, const Preferences& preferences, Project
                 .files = host.files,
                 .ask_desktop = std::move(host.ask_desktop),
                 .close_desktop_dialog = std::move(host.close_desktop_dialog),
+                .wall_clock = std::move(host.wall_clock),
                 .arrivals = host.arrivals}) {
   gui_.set_layout(preferences.layout);
   gui_.set_clipboard(std::move(host.read_clipboard), std::move(host.write_clipboard));
@@ -55,6 +56,7 @@ Workbench::Workbench(WorkbenchHost host, const Preferences& preferences, Project
   session_.set_navigation(preferences.navigation);
   session_.set_crease_sharpness(preferences.crease_sharpness);
   session_.set_uses_desktop_dialogs(preferences.uses_desktop_dialogs);
+  session_.show_hints(preferences.shows_hints);
   session_.set_recent_files(preferences.recent_files);
   session_.set_face_budget(preferences.face_budget);
   session_.show(std::move(project));
@@ -220,6 +222,7 @@ Preferences Workbench::preferences() const {
   all.dihedral_threshold = session_.dihedral_threshold();
   all.crease_sharpness = session_.crease_sharpness();
   all.uses_desktop_dialogs = session_.uses_desktop_dialogs();
+  all.shows_hints = session_.shows_hints();
   all.face_budget = session_.refinement().face_budget();
   all.layout = gui_.layout();
   all.recent_files = session_.recent_files();

@@ -41,6 +41,7 @@ struct WorkbenchHost {
   std::filesystem::path recovery_folder{};
   std::function<bool(const DialogRequest&)> ask_desktop{};
   std::function<void()> close_desktop_dialog{};
+  std::function<std::string()> wall_clock{};
   FileAccess* files = nullptr;
   Arrivals* arrivals = nullptr;
 };

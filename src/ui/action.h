@@ -176,6 +176,7 @@ enum class ActionId : std::uint8_t {
   kKeymapOriginal,
   kKeymapClassroom,
   kToggleDesktopDialogs,  ///< Files are chosen in the desktop's own dialogs, where it has any.
+  kToggleHints,           ///< The card with the first things to know.
 
   // Answers to what Model::modal shows
   kCancel,          ///< Closes the dialog; otherwise stops the refinement, or gives up the stroke.

@@ -330,6 +330,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "The keys of a course's mesh viewer: S smooth, E edges, L light. A plain left drag orbits."},
     {kToggleDesktopDialogs, kProgram, ValueKind::kToggle, "Dialogs of the desktop",
      "Choose files in the dialogs of your desktop (zenity or kdialog) instead of in Limn's own."},
+    {kToggleHints, kProgram, ValueKind::kToggle, "Show hints",
+     "A card in the viewport that says how to paint, lower and orbit. It goes by itself once you "
+     "have painted and orbited."},
 
     {kCancel, kProgram, kNothing, "Cancel",
      "Close the dialog, stop the refinement, or give up the stroke."},

@@ -275,6 +275,8 @@ bool is_checked(const Model& model, const Action& action) {
       return model.keymap == KeymapId::kClassroom;
     case ActionId::kToggleDesktopDialogs:
       return model.uses_desktop_dialogs && model.has_desktop_dialogs;
+    case ActionId::kToggleHints:
+      return model.hints.has_value();
     default:
       return false;
   }

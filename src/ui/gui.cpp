@@ -83,14 +83,17 @@ CursorShape cursor_shape() {
 }
 
 /// Whether ImGui needs more frames to show what it was told: new windows stay hidden until their
-/// size is known, and the ground behind a dialog darkens by and by.
+/// size is known, and the ground behind a dialog darkens by and by. A part of a panel that is
+/// scrolled out of sight is hidden for as long as it is there, and needs nothing.
 bool is_unsettled() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   const bool is_fading = context.DimBgRatio > 0.0F && context.DimBgRatio < 1.0F;
   return is_fading ||
          std::any_of(context.Windows.begin(), context.Windows.end(), [](const ImGuiWindow* window) {
-           return window->Active && (window->Appearing || window->HiddenFramesCannotSkipItems > 0 ||
-                                     window->HiddenFramesCanSkipItems > 0);
+           const bool is_part = (window->Flags & ImGuiWindowFlags_ChildWindow) != 0;
+           const bool is_hidden =
+               window->HiddenFramesCannotSkipItems > 0 || window->HiddenFramesCanSkipItems > 0;
+           return window->Active && (window->Appearing || (is_hidden && !is_part));
          });
 }
 
@@ -233,12 +236,13 @@ GuiFrame Gui::frame(const Model& model, const InputFrame& input, WindowSize wind
   draw_overlays(context, out.viewport, out.viewport_input.owns_drag ? std::nullopt : axis);
   draw_tool_strip(context, {{0.0, top}, {strip, middle}});
   draw_side_panel(context, {{window.width - panel, top}, {panel, middle}});
+  const WindowRect foot{{0.0, window.height - status}, {window.width, status}};
+  reserve_status_line(context, foot);
   draw_modal(context, window);
   if (context.hint.empty()) {
     state.ui.hovered_control = 0;
   }
-  draw_status_line(context, {{0.0, window.height - status}, {window.width, status}},
-                   out.viewport_input);
+  draw_status_line(context, foot, out.viewport_input);
   ImGui::PopFont();
   ImGui::Render();
 

@@ -81,6 +81,11 @@ void draw_history_section(PanelContext& context) {
     }
   }
   clipper.End();
+  if (history->size() == 0) {
+    ImGui::Dummy({0.0F, context.px(6)});
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(10));
+    empty_note(context, "Nothing was changed yet. What you do is listed here.");
+  }
   if (context.state.shown_step != history->position()) {
     context.state.shown_step = history->position();
     const float line = static_cast<float>(history->position()) * height;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 
 #include "limn/document/document.h"
 #include "ui/panels.h"
@@ -36,14 +38,16 @@ void file_menu(PanelContext& context) {
     }
     ImGui::EndMenu();
   }
-  ImGui::BeginDisabled(context.model.recent_files.empty());
   if (begin_menu(context, "Open recent")) {
     for (const std::string& path : context.model.recent_files) {
       action_menu_item(context, Action(kOpen, path), path);
     }
+    if (context.model.recent_files.empty()) {
+      ImGui::TextDisabled("Files that you open or save are listed here.");
+      remember(context, "no recent files");
+    }
     ImGui::EndMenu();
   }
-  ImGui::EndDisabled();
   ImGui::Separator();
   items(context, {kSaveProject, kSaveProjectAs, kExportRefined, kReplaceMesh, kScreenshot});
   ImGui::Separator();
@@ -119,7 +123,7 @@ void view_menu(PanelContext& context) {
     ImGui::EndMenu();
   }
   ImGui::Separator();
-  items(context, {kThemeDark, kThemeLight});
+  items(context, {kThemeDark, kThemeLight, kToggleHints});
   ImGui::EndMenu();
 }
 
@@ -181,9 +185,49 @@ void help_menu(PanelContext& context) {
   ImGui::EndMenu();
 }
 
+/// When a copy of what is not saved was kept, or that none could be; ends at `end`, where there is
+/// room for it.
+void copy_status(PanelContext& context, float begin, float end) {
+  const CopyStatus& copies = context.model.copies;
+  if (copies.when.empty() && copies.problem.empty()) {
+    return;
+  }
+  const bool is_well = copies.problem.empty();
+  const std::string text = is_well ? "copy kept " + copies.when : std::string("no copy kept");
+  ImGui::PushFont(context.fonts.small);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  if (end - width >= begin) {
+    const float y = ImGui::GetCursorScreenPos().y;
+    ImGui::SetCursorPosX(end - width);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY());
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          is_well ? context.colours.dim_text : context.colours.problem);
+    const ImVec2 at{ImGui::GetCursorScreenPos().x,
+                    std::floor(y + (ImGui::GetFrameHeight() - ImGui::GetFontSize()) / 2.0F)};
+    ImGui::Dummy({width, ImGui::GetFrameHeight()});
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    ImGui::PopStyleColor();
+    remember(context, "copy status");
+    ImGui::PopFont();
+    if (is_well) {
+      explain(context, "Copy of unsaved work",
+              "Should Limn or the machine end all of a sudden, the next start offers what was kept "
+              "at " +
+                  copies.when + ". It is no substitute for saving.");
+    } else {
+      explain(context, "No copy of unsaved work",
+              "Copies for the case that Limn or the machine ends all of a sudden cannot be kept: " +
+                  copies.problem + " Save the project yourself.");
+    }
+    return;
+  }
+  ImGui::PopFont();
+}
+
 /// The name of the document, with a dot in the accent colour while it has unsaved changes.
 void document_name(PanelContext& context) {
   const float padding = context.px(16);
+  const float begin = ImGui::GetCursorPosX() + padding;
   const float available = room() - padding - context.px(40);
   if (available < context.px(40)) {
     return;
@@ -191,7 +235,8 @@ void document_name(PanelContext& context) {
   ImGui::PushFont(context.fonts.body_strong);
   const std::string name = fit_text(context.model.document.name, available);
   const float width = ImGui::CalcTextSize(name.c_str()).x;
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - padding - width);
+  const float left = ImGui::GetWindowWidth() - padding - width;
+  ImGui::SetCursorPosX(left);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::TextUnformatted(name.c_str());
   ImGui::PopFont();
@@ -201,6 +246,8 @@ void document_name(PanelContext& context) {
   }
   explain(context, "Open document",
           context.model.is_modified ? "It has changes that are not saved yet." : "All is saved.");
+  ImGui::SameLine();
+  copy_status(context, begin, left - context.px(28));
 }
 
 }  // namespace

@@ -275,6 +275,22 @@ struct Toast {
   std::string text;
 };
 
+/// The card that tells a newcomer the first things to know.
+struct HintCard {
+  bool has_painted = false;  ///< With the mouse, since the card came.
+  bool has_orbited = false;
+
+  [[nodiscard]] bool operator==(const HintCard&) const = default;
+};
+
+/// What is kept of unsaved work, in case the program or the machine ends all of a sudden.
+struct CopyStatus {
+  std::string when;     ///< Of the newest copy of what is not saved, "14:05"; empty: there is none.
+  std::string problem;  ///< Why the last one could not be written; empty where it could.
+
+  [[nodiscard]] bool operator==(const CopyStatus&) const = default;
+};
+
 /// Something failed; the document is as it was.
 struct ErrorDialog {
   std::string title;  ///< "Cannot open spot.obj".
@@ -395,6 +411,8 @@ struct Model {
   std::span<const std::string> bundled_meshes{};
   std::span<const std::string> recent_files{};  ///< Paths, newest first.
   std::span<const Toast> toasts{};
+  std::optional<HintCard> hints{};  ///< Nothing: the card is not shown.
+  CopyStatus copies{};
   Modal modal{};
   bool has_desktop_dialogs = false;  ///< There is a program that shows them.
   bool uses_desktop_dialogs = true;

@@ -134,7 +134,8 @@ void draw_numbers_section(PanelContext& context) {
   sub_heading(context, "Control mesh");
   control_rows(context);
   ImGui::Dummy({0.0F, context.px(8)});
-  sub_heading(context, "Refined mesh");
+  sub_heading(context, context.model.refinement.result ? "Refined mesh"
+                                                       : "Refined mesh: none yet, paint for one");
   refined_rows(context);
   ImGui::Dummy({0.0F, context.px(8)});
   sub_heading(context, "Program");

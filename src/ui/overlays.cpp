@@ -15,6 +15,8 @@
 namespace limn::ui {
 namespace {
 
+constexpr float kToastWidth = 480.0F;  // Design units, of its text.
+
 /// Side by side, lower left in the first half of the viewport, as many as there is room for.
 void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& look,
                   const WindowRect& place) {
@@ -119,27 +121,46 @@ void draw_mend_marker(PanelContext& context, ImDrawList& list, const WindowPoint
   list.AddCircleFilled(centre, context.px(3), context.colours.problem);
 }
 
-void draw_toasts(PanelContext& context, ImDrawList& list, const WindowRect& viewport) {
+/// Upper middle, below each other; a text too long for one line takes more. `card` is what they
+/// must not hide.
+void draw_toasts(PanelContext& context, ImDrawList& list, const WindowRect& viewport,
+                 const std::optional<WindowRect>& card) {
   const ThemeColours& c = context.colours;
   const auto left = static_cast<float>(viewport.origin.x);
   const auto width = static_cast<float>(viewport.size.width);
   float y = static_cast<float>(viewport.origin.y) + context.px(16);
-  const float height = context.px(36);
   const float pad = context.px(14);
+  const float mark_room = context.px(16);
+  const float font = ImGui::GetFontSize();
+  const float widest =
+      std::max(std::min(width - 4.0F * pad - mark_room, context.px(kToastWidth)), context.px(40));
   for (const Toast& toast : context.model.toasts) {
-    const std::string text = fit_text(toast.text, width - 4.0F * pad - context.px(16));
-    const float box = ImGui::CalcTextSize(text.c_str()).x + 2.0F * pad + context.px(16);
-    const ImVec2 low{std::floor(left + (width - box) / 2.0F), y};
+    const ImVec2 size = ImGui::CalcTextSize(toast.text.data(),
+                                            toast.text.data() + toast.text.size(), false, widest);
+    const float box = std::ceil(size.x) + 2.0F * pad + mark_room;
+    const float height = std::ceil(size.y) + context.px(36) - font;
+    const float x = std::floor(left + (width - box) / 2.0F);
+    if (card) {
+      const auto card_end = static_cast<float>(card->origin.x + card->size.width);
+      const auto card_foot = static_cast<float>(card->origin.y + card->size.height);
+      if (x < card_end + context.px(8)) {
+        y = std::max(y, card_foot + context.px(8));
+      }
+    }
+    const ImVec2 low{x, y};
     const ImVec2 high{low.x + box, low.y + height};
     list.AddRectFilled(low, high, c.popup, context.px(6));
     list.AddRect(low, high, c.hairline, context.px(6));
     const ImU32 mark = toast.kind == Toast::Kind::kProblem
                            ? c.problem
                            : (toast.kind == Toast::Kind::kDone ? swatch_colour(2) : c.dim_text);
-    list.AddCircleFilled({low.x + pad + context.px(3), low.y + height / 2.0F}, context.px(4), mark);
-    list.AddText(
-        {low.x + pad + context.px(16), std::floor(low.y + (height - ImGui::GetFontSize()) / 2.0F)},
-        c.text, text.c_str());
+    const float top = std::floor(low.y + (height - size.y) / 2.0F);
+    list.AddCircleFilled({low.x + pad + context.px(3), top + font / 2.0F}, context.px(4), mark);
+    list.AddText(ImGui::GetFont(), font, {low.x + pad + mark_room, top}, c.text, toast.text.data(),
+                 toast.text.data() + toast.text.size(), widest);
+    context.items.push_back({"toast: " + toast.text,
+                             {{static_cast<double>(low.x), static_cast<double>(low.y)},
+                              {static_cast<double>(box), static_cast<double>(height)}}});
     y += height + context.px(8);
   }
 }
@@ -162,7 +183,11 @@ void draw_overlays(PanelContext& context, const WindowRect& viewport,
     draw_mend_marker(context, list, *context.model.mend_marker);
   }
   draw_axis_gizmo(context, list, viewport, lit_axis);
-  draw_toasts(context, list, viewport);
+  const std::optional<WindowRect> card = hint_card_place(context, first);
+  if (card) {
+    draw_hint_card(context, list, *card);
+  }
+  draw_toasts(context, list, viewport, card);
   list.PopClipRect();
 }
 

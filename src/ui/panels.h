@@ -17,9 +17,18 @@ float draw_menu_bar(PanelContext& context);
 void draw_tool_strip(PanelContext& context, const WindowRect& place);
 void draw_side_panel(PanelContext& context, const WindowRect& place);
 void draw_status_line(PanelContext& context, const WindowRect& place, const ViewportInput& input);
+/// Makes the status line's window without anything in it: before the dialogs', so that it lies
+/// below them from the first frame on.
+void reserve_status_line(PanelContext& context, const WindowRect& place);
 /// `lit_axis`: the end of an axis under the cursor.
 void draw_overlays(PanelContext& context, const WindowRect& viewport,
                    std::optional<ActionId> lit_axis);
+/// Where the card with the first things to know goes, upper left in the viewport; nothing where the
+/// model does not want it.
+[[nodiscard]] std::optional<WindowRect> hint_card_place(const PanelContext& context,
+                                                        const WindowRect& viewport);
+/// Its button alone takes clicks: what lies beneath the rest can be painted.
+void draw_hint_card(PanelContext& context, ImDrawList& list, const WindowRect& place);
 /// Dialogs, help sheet and path prompt: whatever Model::modal holds.
 void draw_modal(PanelContext& context, WindowSize window);
 /// Enter of either block went down in this frame.

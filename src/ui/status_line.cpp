@@ -115,6 +115,19 @@ float width_of(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str()).x;
 }
 
+/// Further calls within the frame go on in the same window. ImGui::End follows.
+void begin_window(PanelContext& context, const WindowRect& place) {
+  ImGui::SetNextWindowPos({static_cast<float>(place.origin.x), static_cast<float>(place.origin.y)});
+  ImGui::SetNextWindowSize(
+      {static_cast<float>(place.size.width), static_cast<float>(place.size.height)});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, context.colours.chrome);
+  ImGui::Begin("##status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PopStyleColor();
+}
+
 }  // namespace
 
 std::string forecast_text(const PaintForecast& forecast) {
@@ -148,17 +161,16 @@ std::string mouse_hint(const Model& model, const ViewportInput& input) {
   return is_orbit ? camera : tool_hint(model) + " · " + camera;
 }
 
+void reserve_status_line(PanelContext& context, const WindowRect& place) {
+  begin_window(context, place);
+  ImGui::End();
+}
+
 void draw_status_line(PanelContext& context, const WindowRect& place, const ViewportInput& input) {
   const ImVec2 origin{static_cast<float>(place.origin.x), static_cast<float>(place.origin.y)};
   const auto width = static_cast<float>(place.size.width);
   const auto height = static_cast<float>(place.size.height);
-  ImGui::SetNextWindowPos(origin);
-  ImGui::SetNextWindowSize({width, height});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, context.colours.chrome);
-  ImGui::Begin("##status", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
-                   ImGuiWindowFlags_NoFocusOnAppearing);
+  begin_window(context, place);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddLine({origin.x, origin.y + 0.5F}, {origin.x + width, origin.y + 0.5F},
                context.colours.hairline, 1.0F);
@@ -193,7 +205,6 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
   list.AddText({origin.x + pad, y}, context.colours.dim_text, hint.c_str());
   ImGui::PopFont();
   ImGui::End();
-  ImGui::PopStyleColor();
 }
 
 }  // namespace limn::ui

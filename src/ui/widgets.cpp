@@ -359,6 +359,17 @@ bool begin_section(PanelContext& context, const char* title, bool& is_open) {
   return is_open;
 }
 
+void empty_note(PanelContext& context, std::string_view text) {
+  ImGui::PushFont(context.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room());
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  remember(context, text);
+}
+
 void sub_heading(PanelContext& context, std::string_view text) {
   ImGui::Dummy({0.0F, context.px(2)});
   ImGui::PushFont(context.fonts.small);

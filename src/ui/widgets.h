@@ -67,6 +67,9 @@ void action_slider(PanelContext& context, ActionId id, double value, const Slide
 /// A heading that folds what is below it; true where that is to be drawn.
 [[nodiscard]] bool begin_section(PanelContext& context, const char* title, bool& is_open);
 
+/// Dim lines in the place of what is not there yet: what would fill it.
+void empty_note(PanelContext& context, std::string_view text);
+
 /// A dim heading within a section.
 void sub_heading(PanelContext& context, std::string_view text);
 

@@ -145,6 +145,32 @@ TEST_F(RecoveryTest, NothingIsKeptOfWhatWasSavedUndoneOrClosed) {
   EXPECT_TRUE(fs::is_empty(common_));
 }
 
+TEST_F(RecoveryTest, TheWindowTellsWhenACopyWasKeptAndWhyNone) {
+  EXPECT_EQ(session_.copies(), ui::CopyStatus{});
+  SessionHost with_clock = host(common_);
+  std::string time = "14:05";
+  with_clock.wall_clock = [&time] { return time; };
+  Session session(std::move(with_clock));
+  pass(session, 1.0);
+  EXPECT_EQ(session.copies(), ui::CopyStatus{}) << "nothing was changed";
+  stroke(session, 0);
+  pass(session, 100.0);
+  pass(session, 0.0);
+  EXPECT_EQ(session.model().copies, (ui::CopyStatus{"14:05", ""}));
+  time = "14:07";
+  pass(session, 1000.0);
+  EXPECT_EQ(session.copies().when, "14:05") << "nothing has changed since";
+  stroke(session, 1);
+  pass(session, 100.0);
+  pass(session, 0.0);
+  EXPECT_EQ(session.copies().when, "14:07");
+  session.perform(kUndo);
+  session.perform(kUndo);
+  pass(session, 1.0);
+  pass(session, 0.0);
+  EXPECT_EQ(session.copies(), ui::CopyStatus{}) << "there is nothing to lose";
+}
+
 TEST_F(RecoveryTest, AStrokeIsNeverKeptHalfDone) {
   session_.begin_stroke(DepthChange::add(1));
   session_.touch(std::vector<std::uint32_t>{0});
@@ -253,7 +279,9 @@ TEST_F(RecoveryTest, ADamagedCopyGivesWayToTheOneBefore) {
 TEST_F(RecoveryTest, AFolderThatCannotBeMadeIsSaidOnce) {
   const fs::path blocked = scratch_ / "file";
   test::write_file(blocked, "");
-  Session session(host(blocked / "recovery"));
+  SessionHost with_clock = host(blocked / "recovery");
+  with_clock.wall_clock = [] { return std::string("14:05"); };
+  Session session(std::move(with_clock));
   double now = 0.0;
   int said = 0;
   for (std::uint32_t face = 0; face < 5; ++face) {
@@ -267,6 +295,8 @@ TEST_F(RecoveryTest, AFolderThatCannotBeMadeIsSaidOnce) {
     }
   }
   EXPECT_EQ(said, 1);
+  EXPECT_THAT(session.copies().problem, HasSubstr("recovery")) << "but stays to be seen";
+  EXPECT_EQ(session.copies().when, "");
 }
 
 TEST_F(RecoveryTest, AKillAtAnyTimeLosesAMinuteOrOneOperation) {

@@ -209,6 +209,45 @@ TEST_F(SessionTest, FramingGlidesAndEndsExactly) {
   EXPECT_FALSE(session_.update(1.3));
 }
 
+TEST_F(SessionTest, HintsGoOnceOneHasPaintedAndOrbited) {
+  EXPECT_FALSE(session_.model().hints.has_value());
+  session_.perform({kToggleHints, true});
+  EXPECT_EQ(session_.model().hints, ui::HintCard{});
+  session_.perform(kRaiseAll);
+  EXPECT_EQ(session_.model().hints, ui::HintCard{}) << "that was no stroke";
+  stroke({1});
+  EXPECT_EQ(session_.model().hints, (ui::HintCard{true, false}));
+  ViewState view = session_.view();
+  view.target.x += 1.0;
+  session_.set_view(view);
+  EXPECT_TRUE(session_.shows_hints()) << "a shift is no turn";
+  view.yaw += 10.0;
+  session_.set_view(view);
+  EXPECT_FALSE(session_.shows_hints());
+  session_.perform(kToggleHints);
+  EXPECT_EQ(session_.model().hints, ui::HintCard{}) << "from the start again";
+  session_.perform({kToggleHints, false});
+  EXPECT_FALSE(session_.shows_hints());
+}
+
+TEST_F(SessionTest, SaysWhatWasDoneWhereThePictureDoesNot) {
+  session_.perform(kRaiseAll);
+  EXPECT_EQ(last_toast(), "Raise all: 6 faces changed.");
+  session_.finish_refinement();
+  session_.perform(kApply);
+  EXPECT_EQ(last_toast(), "Apply: the control mesh has 24 faces now.");
+  session_.perform(kRevert);
+  EXPECT_EQ(last_toast(), "Revert: cube is as it was opened.");
+  session_.perform({kSetDihedralThreshold, 80.0});
+  session_.perform(kCreaseDihedral);
+  EXPECT_EQ(last_toast(), "Creases: 12 edges are sharp now.");
+  session_.perform(kClearCreases);
+  EXPECT_EQ(last_toast(), "Creases: none are left.");
+  const std::size_t before = session_.toasts().size();
+  stroke({0});
+  EXPECT_EQ(session_.toasts().size(), before) << "strokes are seen";
+}
+
 TEST_F(SessionTest, ToastsPass) {
   session_.update(1.0);
   session_.perform(kUndo);

@@ -41,7 +41,8 @@ class Display:
 class Program:
     """One run of the program, with folders and preferences of its own."""
 
-    def __init__(self, executable, arguments, display, folder, environment=None):
+    def __init__(self, executable, arguments, display, folder, environment=None,
+                 is_first_start=False):
         self.folder = folder
         self.pictures = os.path.join(folder, "pictures")
         os.makedirs(self.pictures, exist_ok=True)
@@ -52,6 +53,8 @@ class Program:
         self.environment["DISPLAY"] = display.name
         self.environment["XDG_PICTURES_DIR"] = self.pictures
         self.environment.update(environment or {})
+        if not is_first_start:
+            forget_hints(self.environment["XDG_CONFIG_HOME"])
         self.log_path = os.path.join(folder, "log.txt")
         with open(self.log_path, "wb") as log:
             self.process = subprocess.Popen(
@@ -155,6 +158,15 @@ def check_replay(executable, recording, folder):
     played = json.loads(run.stdout)
     assert played["is_whole"] and played["actions"] > 0, played
     assert played["documents_compared"] > 5 and played["pictures_compared"] > 0, played
+
+
+def forget_hints(config):
+    """Someone has been here before, who needs no hints and chose nothing."""
+    kept = os.path.join(config, "limn", "preferences.json")
+    if not os.path.exists(kept):
+        os.makedirs(os.path.dirname(kept), exist_ok=True)
+        with open(kept, "w") as file:
+            json.dump({"hints": False}, file)
 
 
 def clean_environment(folder):

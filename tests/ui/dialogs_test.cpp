@@ -1,5 +1,8 @@
+#include <string_view>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include "ui/screen.h"
 
@@ -48,6 +51,27 @@ TEST(Dialogs, OneCanBeThereFromTheFirstFrameOn) {
   EXPECT_THAT(screen.take_actions(),
               ElementsAre(Action(ActionId::kRecover), Action(ActionId::kDiscardLost),
                           Action(ActionId::kCancel)));
+}
+
+TEST(Dialogs, TheStatusLineLiesBelowOneThatIsThereFromTheFirstFrameOn) {
+  Screen screen;  // Lends its model.
+  screen.model.modal = UnsavedQuestion{"cube", "quit"};
+  Gui gui({}, {});
+  for (int frame = 0; frame < 2; ++frame) {
+    static_cast<void>(gui.frame(screen.model, {}, {1280, 800}));
+  }
+  const ImDrawData& drawn = gui.draw_data();
+  const auto index_of = [&drawn](std::string_view name) {
+    for (int i = 0; i < drawn.CmdListsCount; ++i) {
+      const char* const owner = drawn.CmdLists[i]->_OwnerName;
+      if (owner != nullptr && owner == name) {
+        return i;
+      }
+    }
+    return -1;
+  };
+  EXPECT_GE(index_of("##status"), 0);
+  EXPECT_LT(index_of("##status"), index_of("##modal"));
 }
 
 TEST(Dialogs, NothingBehindADialogReacts) {
