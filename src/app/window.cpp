@@ -168,7 +168,8 @@ struct Window::Callbacks {
 
 namespace {
 
-/// The size asked for, as far as the monitor has room for it and the interface can do with it.
+/// The size asked for, as far as the monitor has room for it and the interface can do with it. All
+/// before the monitor's scale, by which GLFW multiplies it.
 std::pair<int, int> initial_size(const ui::WindowSize& asked) {
   int width = static_cast<int>(std::lround(asked.width));
   int height = static_cast<int>(std::lround(asked.height));
@@ -176,8 +177,15 @@ std::pair<int, int> initial_size(const ui::WindowSize& asked) {
     int room_width = 0;
     int room_height = 0;
     glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room_width, &room_height);
-    width = room_width > 0 ? std::min(width, room_width) : width;
-    height = room_height > 0 ? std::min(height, room_height) : height;
+    float scale_x = 1.0F;
+    float scale_y = 1.0F;
+    glfwGetMonitorContentScale(monitor, &scale_x, &scale_y);
+    const auto fit = [](int wanted, int room, float scale) {
+      const int most = static_cast<int>(std::floor(static_cast<float>(room) / scale));
+      return room > 0 && scale > 0.0F ? std::min(wanted, most) : wanted;
+    };
+    width = fit(width, room_width, scale_x);
+    height = fit(height, room_height, scale_y);
   }
   return {std::max(width, kSmallestWidth), std::max(height, kSmallestHeight)};
 }

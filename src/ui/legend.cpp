@@ -13,13 +13,29 @@ namespace {
 
 constexpr int kLines = 8;
 
+constexpr float kColumns = 4.0F;  // Of the compact form,
+constexpr float kCell = 70.0F;    // so many design units wide.
+
 struct Metrics {
-  float padding, line, swatch, width;
+  float padding, line, swatch, width, chip;
 };
 
 Metrics metrics(const LegendLook& look) {
   const float u = look.unit;
-  return {10.0F * u, 21.0F * u, 14.0F * u, 132.0F * u};
+  return {10.0F * u, 21.0F * u, 14.0F * u, 132.0F * u, 17.0F * u};
+}
+
+/// "3", and "7+" for the last.
+std::string line_name(int line) {
+  return std::to_string(line) + (line == kLines - 1 ? "+" : "");
+}
+
+std::size_t count_of_line(const LegendCounts& counts, int line) {
+  std::size_t count = counts.depths[static_cast<std::size_t>(line)];
+  for (std::size_t deeper = kLines; line == kLines - 1 && deeper < counts.depths.size(); ++deeper) {
+    count += counts.depths[deeper];
+  }
+  return count;
 }
 
 float crease_legend_width(const LegendLook& look) {
@@ -97,6 +113,42 @@ WindowSize size_of(const LegendLook& look, float width, int lines) {
 
 }  // namespace
 
+WindowSize compact_legend_size(const LegendLook& look) {
+  const Metrics m = metrics(look);
+  return {static_cast<double>(2.0F * m.padding + kColumns * kCell * look.unit),
+          static_cast<double>(2.0F * m.padding + kLines / kColumns * m.line)};
+}
+
+void draw_compact_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,
+                         ImVec2 origin) {
+  const Metrics m = metrics(look);
+  const WindowSize size = compact_legend_size(look);
+  list.AddRectFilled(
+      origin,
+      {origin.x + static_cast<float>(size.width), origin.y + static_cast<float>(size.height)},
+      look.colours.overlay, 6.0F * look.unit);
+  ImFont* font = look.fonts.small;
+  const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const auto text_at = [&](float x, float y, ImU32 ink, const std::string& text) {
+    list.AddText(font, height, {std::floor(x), std::floor(y)}, ink, text.c_str());
+  };
+  for (int line = 0; line < kLines; ++line) {
+    const auto column = static_cast<float>(line % static_cast<int>(kColumns));
+    const auto row = static_cast<float>(line / static_cast<int>(kColumns));
+    const ImVec2 low{std::floor(origin.x + m.padding + column * kCell * look.unit),
+                     std::floor(origin.y + m.padding + row * m.line + (m.line - m.chip) / 2.0F)};
+    const ImVec2 high{low.x + m.chip * 1.25F, low.y + m.chip};
+    list.AddRectFilled(low, high, swatch_colour(line), 3.0F * look.unit);
+    const std::string name = line_name(line);
+    const float name_width = font->CalcTextSizeA(height, 1.0e6F, 0.0F, name.c_str()).x;
+    const float y = low.y + (m.chip - height) / 2.0F;
+    text_at((low.x + high.x - name_width) / 2.0F, y, text_on_swatch(line), name);
+    const std::size_t count = count_of_line(counts, line);
+    text_at(high.x + 5.0F * look.unit, y,
+            count > 0 ? look.colours.text : faded(look.colours.dim_text, 0.6F), grouped(count));
+  }
+}
+
 WindowSize legend_size(const LegendLook& look, Tint tint) {
   return size_of(look, metrics(look).width, kLines + (tint == Tint::kLevel ? 1 : 0));
 }
@@ -108,14 +160,9 @@ void draw_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& c
     lines.title("Faces by level");
   }
   for (int line = 0; line < kLines; ++line) {
-    const bool is_last = line == kLines - 1;
-    std::size_t count = counts.depths[static_cast<std::size_t>(line)];
-    for (std::size_t deeper = kLines; is_last && deeper < counts.depths.size(); ++deeper) {
-      count += counts.depths[deeper];
-    }
     const auto [low, high] = lines.swatch();
     list.AddRectFilled(low, high, swatch_colour(line), 3.0F * look.unit);
-    lines.text(std::to_string(line) + (is_last ? "+" : ""), count);
+    lines.text(line_name(line), count_of_line(counts, line));
   }
 }
 

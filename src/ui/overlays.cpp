@@ -15,7 +15,14 @@
 namespace limn::ui {
 namespace {
 
-constexpr float kToastWidth = 480.0F;  // Design units, of its text.
+constexpr float kToastWidth = 640.0F;  // Design units, of its text.
+constexpr float kAxesRoom = 84.0F;     // Design units, lower right.
+
+/// Whether a column of eight lines would stand before the mesh.
+bool is_small(const PanelContext& context, const WindowRect& place) {
+  return place.size.width < static_cast<double>(context.px(640)) &&
+         place.size.height < static_cast<double>(context.px(640));
+}
 
 /// Side by side, lower left in the first half of the viewport, as many as there is room for.
 void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& look,
@@ -32,6 +39,8 @@ void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& loo
         x + width <= end && foot - height >= static_cast<float>(place.origin.y) + margin;
     if (fits) {
       draw(ImVec2{x, foot - height});
+      context.items.push_back(
+          {"legend", {{static_cast<double>(x), static_cast<double>(foot - height)}, size}});
       x += width + margin / 2.0F;
     }
   };
@@ -42,7 +51,14 @@ void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& loo
     LegendCounts counts;
     counts.tint = tint;
     counts.depths = tint == Tint::kLevel ? model.level_counts : model.depth_counts;
-    next(legend_size(look, tint), [&](ImVec2 at) { draw_legend(list, look, counts, at); });
+    const WindowSize compact = compact_legend_size(look);
+    const bool has_room_beside_axes =
+        x + static_cast<float>(compact.width) + context.px(kAxesRoom) <= end;
+    if (is_small(context, place) && has_room_beside_axes) {
+      next(compact, [&](ImVec2 at) { draw_compact_legend(list, look, counts, at); });
+    } else {
+      next(legend_size(look, tint), [&](ImVec2 at) { draw_legend(list, look, counts, at); });
+    }
   }
   if (model.display.creases && has_creases(model.crease_counts)) {
     next(crease_legend_size(look),

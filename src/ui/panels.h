@@ -75,6 +75,10 @@ struct LegendLook {
 [[nodiscard]] WindowSize legend_size(const LegendLook& look, Tint tint);
 void draw_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,
                  ImVec2 origin);
+/// The same in two rows, for a viewport too small for a column.
+[[nodiscard]] WindowSize compact_legend_size(const LegendLook& look);
+void draw_compact_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,
+                         ImVec2 origin);
 [[nodiscard]] WindowSize crease_legend_size(const LegendLook& look);
 void draw_crease_legend(ImDrawList& list, const LegendLook& look, const CreaseCounts& counts,
                         ImVec2 origin);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "limn/document/document.h"
 #include "limn/subdivision/prediction.h"
@@ -115,6 +116,19 @@ float width_of(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str()).x;
 }
 
+/// As many of the parts between dots as there is room for, the first at the least.
+std::string fit_clauses(std::string text, float width) {
+  constexpr std::string_view kDot = " · ";
+  while (width_of(text) > width) {
+    const std::size_t last = text.rfind(kDot);
+    if (last == std::string::npos) {
+      return fit_text(text, width);
+    }
+    text.resize(last);
+  }
+  return text;
+}
+
 /// Further calls within the frame go on in the same window. ImGui::End follows.
 void begin_window(PanelContext& context, const WindowRect& place) {
   ImGui::SetNextWindowPos({static_cast<float>(place.origin.x), static_cast<float>(place.origin.y)});
@@ -201,8 +215,12 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
       right = left - context.px(20);
     }
   }
-  const std::string hint = fit_text(wanted, right - origin.x - pad);
+  const std::string hint = fit_clauses(wanted, right - origin.x - pad);
   list.AddText({origin.x + pad, y}, context.colours.dim_text, hint.c_str());
+  context.items.push_back(
+      {"status: " + hint,
+       {{static_cast<double>(origin.x + pad), static_cast<double>(y)},
+        {static_cast<double>(width_of(hint)), static_cast<double>(ImGui::GetFontSize())}}});
   ImGui::PopFont();
   ImGui::End();
 }

@@ -87,7 +87,9 @@ std::string step_count_text(const StepperStatus& steps) {
 
 std::string step_reason(const StepperStatus& steps) {
   if (!steps.has_trace) {
-    return steps.is_shown ? "There are no labels to follow." : "";
+    return steps.is_shown ? "There are no labels to follow: paint some faces first."
+                          : "Show the steps to see, vertex by vertex, how illegal vertices are "
+                            "removed, and why each is picked.";
   }
   if (steps.position == steps.size) {
     return steps.size == 0

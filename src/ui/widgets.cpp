@@ -3,6 +3,8 @@
 
 #include "ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,15 +83,21 @@ void draw_button(const PanelContext& context, std::string_view label, bool is_en
   draw_centred(is_enabled ? c.text : faded(c.dim_text, 0.6F), label);
 }
 
-/// Where each choice ends: all of one width, unless a name needs more than that.
-std::vector<float> choice_ends(const PanelContext& context, std::span<const Choice> choices,
-                               float width) {
-  const auto count = static_cast<float>(choices.size());
-  std::vector<float> ends(choices.size());
+/// Between ImGui::BeginDisabled and EndDisabled.
+bool is_in_disabled_part() {
+  return (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+}
+
+/// Where each of several names side by side ends: all of one width, unless a name needs more than
+/// that.
+std::vector<float> ends_of(const PanelContext& context, std::span<const std::string_view> names,
+                           float width) {
+  const auto count = static_cast<float>(names.size());
+  std::vector<float> ends(names.size());
   float named = 0.0F;
   float longest = 0.0F;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    const float name = text_size(choices[i].label).x;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const float name = text_size(names[i]).x;
     named += name;
     longest = std::max(longest, name);
     ends[i] = named;
@@ -200,7 +208,7 @@ bool plain_button(PanelContext& context, std::string_view label, float width, bo
 
 bool action_button(PanelContext& context, const Action& action, const ButtonLook& look) {
   const std::string_view label = label_of(action, look.label);
-  const bool is_enabled = is_available(context.model, action);
+  const bool is_enabled = is_available(context.model, action) && !is_in_disabled_part();
   ImGui::BeginDisabled(!is_enabled);
   const float width = look.width > 0.0F ? look.width : room();
   const bool is_pressed =
@@ -242,12 +250,17 @@ bool icon_button(PanelContext& context, const Action& action, Icon icon, float s
 void action_row(PanelContext& context, std::span<const Action> actions) {
   const float gap = context.px(6);
   const auto count = static_cast<float>(actions.size());
-  const float width = std::floor((room() - gap * (count - 1.0F)) / count);
+  std::vector<std::string_view> names;
+  for (const Action& action : actions) {
+    names.push_back(info(action.id).label);
+  }
+  const std::vector<float> ends = ends_of(context, names, room() - gap * (count - 1.0F));
   for (std::size_t i = 0; i < actions.size(); ++i) {
     if (i > 0) {
       ImGui::SameLine(0.0F, gap);
     }
-    action_button(context, actions[i], {.width = width});
+    const float begin = i > 0 ? std::floor(ends[i - 1]) : 0.0F;
+    action_button(context, actions[i], {.width = std::floor(ends[i]) - begin});
   }
 }
 
@@ -284,7 +297,11 @@ void action_choice(PanelContext& context, std::span<const Choice> choices) {
   const ThemeColours& c = context.colours;
   const float height = context.px(kButtonHeight);
   const float width = room();
-  const std::vector<float> ends = choice_ends(context, choices, width);
+  std::vector<std::string_view> names;
+  for (const Choice& choice : choices) {
+    names.push_back(choice.label);
+  }
+  const std::vector<float> ends = ends_of(context, names, width);
   const float inset = context.px(3);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -374,7 +391,7 @@ void sub_heading(PanelContext& context, std::string_view text) {
   ImGui::Dummy({0.0F, context.px(2)});
   ImGui::PushFont(context.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(fit_text(text, room()).c_str());
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }

@@ -28,7 +28,7 @@ bool action_button(PanelContext& context, const Action& action, const ButtonLook
 /// A square button with an icon, marked where the action is checked.
 bool icon_button(PanelContext& context, const Action& action, Icon icon, float side);
 
-/// A row of buttons of equal width.
+/// A row of buttons, of equal width unless a name needs more than its share.
 void action_row(PanelContext& context, std::span<const Action> actions);
 
 /// A check box with its label, `width` wide.

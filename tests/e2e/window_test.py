@@ -149,17 +149,28 @@ def is_painted(path):
 
 
 def check_small_screen(executable, folder):
-    """On a screen smaller than the window would like to be, all of it is on the screen."""
-    display = Display((800, 600))
-    program = Program(executable, ["cube"], display, folder)
-    try:
-        state = program.wait_for("it has started", lambda s: not s["busy"])
-        assert state["window"][0] <= 800 and state["window"][1] <= 600, state["window"]
-        program.close_window()
-        assert program.wait_for_exit() == 0, program.log()
-    finally:
-        program.kill()
-        display.close()
+    """On a screen smaller than the window would like to be, all of it is on the screen, at twice
+    the scale too; and it follows when it is resized."""
+    for size, dots_per_inch in (((800, 600), None), ((1600, 1200), 192)):
+        display = Display(size, dots_per_inch)
+        home = os.path.join(folder, f"{size[0]}")  # Of no run before, which the window is kept of.
+        program = Program(executable, ["cube"], display, home)
+        try:
+            state = program.wait_for("it has started", lambda s: not s["busy"])
+            assert state["window"] == list(size), state["window"]
+            narrow = [size[0] - 100, size[1] - 80]
+            program.resize(*narrow)
+            state = program.wait_for("it is smaller", lambda s: s["window"] == narrow)
+            assert state["framebuffer"] == narrow, state["framebuffer"]
+            x, y, width, height = state["viewport"]
+            panel = state["items"]["panel edge"]
+            assert abs(panel[0] - (x + width)) < 1.5, "no gap between viewport and panel"
+            assert panel[3] == height and y + height < narrow[1], state
+            program.close_window()
+            assert program.wait_for_exit() == 0, program.log()
+        finally:
+            program.kill()
+            display.close()
 
 
 def main():

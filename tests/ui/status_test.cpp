@@ -112,6 +112,35 @@ TEST(Fonts, AllFiguresAreAsWide) {
   }
 }
 
+TEST(StatusLine, LeavesOutWholePartsWhereThereIsNoRoom) {
+  Screen screen({800, 600});
+  screen.settle();
+  std::string shown;
+  for (const ItemRect& item : screen.gui().items()) {
+    if (item.name.rfind("status: ", 0) == 0) {
+      shown = item.name;
+      EXPECT_LE(item.rect.origin.x + item.rect.size.width, 800.0);
+    }
+  }
+  EXPECT_THAT(shown, HasSubstr("Left drag: depth +1 · Shift: −1"));
+  EXPECT_THAT(shown, Not(HasSubstr("…")));
+}
+
+TEST(Legend, LiesFlatBesideTheAxesInASmallViewport) {
+  Screen small({800, 600});
+  small.settle();
+  const WindowRect flat = small.rect("legend");
+  EXPECT_LT(flat.size.height, 70.0);
+  for (const ItemRect& item : small.gui().items()) {
+    if (item.name.rfind("axis: ", 0) == 0) {
+      EXPECT_GT(item.rect.origin.x, flat.origin.x + flat.size.width) << item.name;
+    }
+  }
+  Screen large;
+  large.settle();
+  EXPECT_GT(large.rect("legend").size.height, large.rect("legend").size.width);
+}
+
 TEST(Fonts, DamagedFilesFallBackToTheBuiltInFont) {
   FontFiles files;
   files.regular.assign(5000, std::byte{0x5A});
