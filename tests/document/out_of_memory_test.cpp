@@ -1,7 +1,5 @@
 // Memory that runs out at any one allocation: document and undo history stay as they were.
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <new>
@@ -18,52 +16,9 @@
 #include "limn/document/refinement.h"
 #include "limn/painting/stroke.h"
 #include "support/attribute_shapes.h"
+#include "support/counting_allocator.h"
 #include "support/effort.h"
 #include "support/shapes.h"
-
-namespace {
-
-constexpr long kUnlimited = -1;
-std::atomic<long> allocations_left = kUnlimited;  ///< Of all threads; from 0 on every one fails.
-std::atomic<std::size_t> smallest_counted = 0;    ///< Bytes; smaller ones always succeed.
-
-void* allocate(std::size_t bytes, std::size_t alignment) {
-  if (long left = allocations_left.load(); left != kUnlimited && bytes >= smallest_counted) {
-    while (left > 0 && !allocations_left.compare_exchange_weak(left, left - 1)) {
-    }
-    if (left == 0) {
-      throw std::bad_alloc();
-    }
-  }
-  const std::size_t rounded =
-      (std::max<std::size_t>(bytes, 1) + alignment - 1) / alignment * alignment;
-  void* const memory = std::aligned_alloc(alignment, rounded);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-  return allocate(bytes, alignof(std::max_align_t));
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return allocate(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace limn {
 namespace {
@@ -77,20 +32,19 @@ constexpr std::size_t kLargerThanProperties = 512;
 /// enough. After each failure `check` looks at what is left.
 void run_out_at_every_allocation(const std::function<void()>& work,
                                  const std::function<void()>& check, std::size_t smallest = 0) {
-  smallest_counted = smallest;
   const long step = test::effort() < 1.0 ? 3 : 1;
   for (long allowed = 0;; allowed += step) {
     bool is_done = true;
-    allocations_left = allowed;
+    test::allow_allocations(allowed, smallest);
     try {
       work();
     } catch (const std::bad_alloc&) {
       is_done = false;
     } catch (...) {
-      allocations_left = kUnlimited;
+      test::allow_allocations(test::kUnlimitedAllocations);
       throw;
     }
-    allocations_left = kUnlimited;
+    test::allow_allocations(test::kUnlimitedAllocations);
     if (is_done) {
       EXPECT_GT(allowed, 0);
       return;

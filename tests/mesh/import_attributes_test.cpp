@@ -20,7 +20,8 @@ namespace limn {
 namespace {
 
 using test::faces_of;
-using test::faults_of;
+using test::import_text;
+using test::refusal_of;
 using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
@@ -34,25 +35,6 @@ using Uv = glm::dvec2;
 /// A strip of two squares: 4 5 6 over 1 2 3.
 const std::string Strip =
     "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n";
-
-ImportedMesh import_text(const std::string& text) {
-  auto imported = import_obj(text, "text.obj");
-  EXPECT_TRUE(imported.has_value()) << to_string(imported.error());
-  if (!imported) {
-    return ImportedMesh{};
-  }
-  EXPECT_THAT(faults_of(*imported->mesh), IsEmpty());
-  return *imported;
-}
-
-std::string refusal_of(const std::string& text) {
-  const auto imported = import_obj(text, "text.obj");
-  if (imported.has_value()) {
-    return "accepted";
-  }
-  EXPECT_EQ(imported.error().kind, ErrorKind::kBadInput);
-  return to_string(imported.error());
-}
 
 /// The sharp edges by their ends, lower first.
 std::map<Edge, float> creases_of(const ControlMesh& mesh) {

@@ -5,6 +5,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limn/mesh/import.h"
 
 namespace limn::test {
 namespace {
@@ -211,6 +215,25 @@ std::vector<std::size_t> edge_use_counts(const PolygonSoup& soup) {
     ++counts[count];
   }
   return counts;
+}
+
+ImportedMesh import_text(std::string_view text) {
+  auto imported = import_obj(text, "text.obj");
+  EXPECT_TRUE(imported.has_value()) << to_string(imported.error());
+  if (!imported) {
+    return ImportedMesh{};
+  }
+  EXPECT_THAT(faults_of(*imported->mesh), testing::IsEmpty());
+  return *imported;
+}
+
+std::string refusal_of(std::string_view text) {
+  const auto imported = import_obj(text, "text.obj");
+  if (imported.has_value()) {
+    return "accepted";
+  }
+  EXPECT_EQ(imported.error().kind, ErrorKind::kBadInput);
+  return to_string(imported.error());
 }
 
 }  // namespace limn::test

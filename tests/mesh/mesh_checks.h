@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limn/mesh/build.h"
@@ -29,5 +30,11 @@ namespace limn::test {
 
 /// Edges named by one, two, three... faces, as undirected vertex pairs: counts[k] edges with k.
 [[nodiscard]] std::vector<std::size_t> edge_use_counts(const PolygonSoup& soup);
+
+/// The mesh of an OBJ text that must be accepted and give a sound mesh; the test fails otherwise.
+[[nodiscard]] ImportedMesh import_text(std::string_view text);
+
+/// "path:line: message" of an OBJ text that must be refused as bad input; "accepted" if it is not.
+[[nodiscard]] std::string refusal_of(std::string_view text);
 
 }  // namespace limn::test

@@ -1,51 +1,15 @@
 // Refining again into a result that is there allocates nothing, nor does checking again. This
 // program counts what operator new is asked for; it is a program of its own, since that replaces
 // the allocator.
-#include <atomic>
-#include <cstdlib>
-#include <new>
+#include <cstddef>
 
 #include <gtest/gtest.h>
 
 #include "limn/subdivision/crack_check.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "support/attribute_shapes.h"
+#include "support/counting_allocator.h"
 #include "support/shapes.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* allocate(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
-  void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-  return allocate(bytes, alignof(std::max_align_t));
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return allocate(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace limn {
 namespace {
@@ -58,13 +22,13 @@ void expect_no_allocation(const ControlMesh& mesh, const SubdivisionSettings& se
   ASSERT_TRUE(labels);
   Refiner refiner;
   RefinedMesh result;
-  const std::size_t before_first = allocations;
+  const std::size_t before_first = test::allocation_count();
   ASSERT_TRUE(refiner.refine(mesh, labels->labels, settings, {}, progress, result));
-  EXPECT_GT(allocations, before_first);
-  const std::size_t before_second = allocations;
+  EXPECT_GT(test::allocation_count(), before_first);
+  const std::size_t before_second = test::allocation_count();
   const bool is_done =
       static_cast<bool>(refiner.refine(mesh, labels->labels, settings, {}, progress, result));
-  const std::size_t after = allocations;
+  const std::size_t after = test::allocation_count();
   EXPECT_TRUE(is_done);
   EXPECT_EQ(after - before_second, 0u);
 }
@@ -95,13 +59,13 @@ void expect_no_allocation_of_a_check(const ControlMesh& mesh, double painted) {
   ASSERT_TRUE(refined);
   CrackChecker checker;
   CrackCheck result;
-  const std::size_t before_first = allocations;
+  const std::size_t before_first = test::allocation_count();
   checker.check(mesh, *refined, result);
-  EXPECT_GT(allocations, before_first);
+  EXPECT_GT(test::allocation_count(), before_first);
   EXPECT_TRUE(result.is_watertight());
-  const std::size_t before_second = allocations;
+  const std::size_t before_second = test::allocation_count();
   checker.check(mesh, *refined, result);
-  EXPECT_EQ(allocations - before_second, 0u);
+  EXPECT_EQ(test::allocation_count() - before_second, 0u);
   EXPECT_TRUE(result.is_watertight());
 }
 

@@ -18,6 +18,8 @@ namespace {
 
 using test::faces_of;
 using test::faults_of;
+using test::import_text;
+using test::refusal_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -26,36 +28,15 @@ using Faces = std::vector<std::vector<std::uint32_t>>;
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-/// The mesh of a text that must be accepted.
-ImportedMesh read(const std::string& text) {
-  auto imported = import_obj(text, "text.obj");
-  EXPECT_TRUE(imported.has_value()) << to_string(imported.error());
-  if (!imported) {
-    return ImportedMesh{};
-  }
-  EXPECT_THAT(faults_of(*imported->mesh), IsEmpty());
-  return *imported;
-}
-
 Faces faces_in(const std::string& text) {
-  const ImportedMesh imported = read(text);
+  const ImportedMesh imported = import_text(text);
   return imported.mesh == nullptr ? Faces{} : faces_of(*imported.mesh);
 }
 
-/// "path:line: message" of a text that must be refused.
-std::string refusal(const std::string& text) {
-  const auto imported = import_obj(text, "text.obj");
-  if (imported.has_value()) {
-    return "accepted";
-  }
-  EXPECT_EQ(imported.error().kind, ErrorKind::kBadInput);
-  return to_string(imported.error());
-}
-
 TEST(ImportObj, ReadsPolygonsOfAnySize) {
-  const ImportedMesh imported = read(kSquare +
-                                     "v 2 0.5 0.1\nv 0.5 2 0\nv 0.2 3 0\nf 1 2 3 4\n"
-                                     "f 2 5 3\nf 4 3 6 7 \n");
+  const ImportedMesh imported = import_text(kSquare +
+                                            "v 2 0.5 0.1\nv 0.5 2 0\nv 0.2 3 0\nf 1 2 3 4\n"
+                                            "f 2 5 3\nf 4 3 6 7 \n");
   EXPECT_EQ(faces_of(*imported.mesh), (Faces{{0, 1, 2, 3}, {1, 4, 2}, {3, 2, 5, 6}}));
   EXPECT_EQ(imported.mesh->positions()[4], glm::dvec3(2.0, 0.5, 0.1));
   EXPECT_FALSE(imported.report.is_mended());
@@ -121,7 +102,7 @@ TEST(ImportObj, NumbersAreReadToTheLastBit) {
     ASSERT_TRUE(detail::parse_number(written, back));
     ASSERT_EQ(back, value) << written;
   }
-  const ImportedMesh imported = read(
+  const ImportedMesh imported = import_text(
       "v 0.1 -.5 +3.\nv 1e-3 1E+3 -1.5e02\nv 0.333333333333333314829616256247 1e-400 -0\nf 1 2 3");
   EXPECT_EQ(imported.mesh->positions()[0], glm::dvec3(0.1, -0.5, 3.0));
   EXPECT_EQ(imported.mesh->positions()[1], glm::dvec3(1e-3, 1e3, -150.0));
@@ -132,31 +113,32 @@ TEST(ImportObj, NumbersDoNotDependOnTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) {
     std::setlocale(LC_ALL, name);  // Those that are not installed change nothing.
-    EXPECT_EQ(read("v 1.5 1e-320 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").mesh->positions()[0],
+    EXPECT_EQ(import_text("v 1.5 1e-320 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").mesh->positions()[0],
               glm::dvec3(1.5, 1e-320, 0.0));
   }
   std::setlocale(LC_ALL, before.c_str());
 }
 
 TEST(ImportObj, MalformedNumbersAreErrorsWithTheirLine) {
-  EXPECT_EQ(refusal(kSquare + "v 1 x 0\nf 1 2 5"), "text.obj:5: \"x\" is not a number.");
+  EXPECT_EQ(refusal_of(kSquare + "v 1 x 0\nf 1 2 5"), "text.obj:5: \"x\" is not a number.");
   for (const char* number : {"1,5", "1.2.3", "0x10", "1e", "1e+", "--1", "+-1", ".", "-", "1.#IND",
                              "3.1+e2", "1f", "\x01", "1/2", "\xC3\xA4"}) {
-    EXPECT_THAT(refusal("v 0 0 " + std::string(number) + "\n"),
+    EXPECT_THAT(refusal_of("v 0 0 " + std::string(number) + "\n"),
                 testing::AllOf(StartsWith("text.obj:1: "), HasSubstr("is not a number")))
         << number;
   }
-  EXPECT_THAT(refusal("v 1 2\n"), HasSubstr("text.obj:1: A vertex needs three coordinates; this "
-                                            "one has 2."));
-  EXPECT_THAT(refusal("\nv\n"), HasSubstr("text.obj:2: A vertex needs three coordinates"));
-  EXPECT_THAT(refusal("v 1 2 3 4 5 6 7 8 9\n"), HasSubstr("more than eight numbers"));
+  EXPECT_THAT(refusal_of("v 1 2\n"), HasSubstr("text.obj:1: A vertex needs three coordinates; this "
+                                               "one has 2."));
+  EXPECT_THAT(refusal_of("\nv\n"), HasSubstr("text.obj:2: A vertex needs three coordinates"));
+  EXPECT_THAT(refusal_of("v 1 2 3 4 5 6 7 8 9\n"), HasSubstr("more than eight numbers"));
   // The line is the one the word stands on, also within a continued statement.
-  EXPECT_THAT(refusal("v 1 2 3\nv 1 \\\n 2 \\\n oops\n"), StartsWith("text.obj:4: \"oops\""));
-  EXPECT_THAT(refusal("v 1 2 3\rv 1 \\\r 2\\\r\roops\r"), StartsWith("text.obj:2: A vertex needs"));
+  EXPECT_THAT(refusal_of("v 1 2 3\nv 1 \\\n 2 \\\n oops\n"), StartsWith("text.obj:4: \"oops\""));
+  EXPECT_THAT(refusal_of("v 1 2 3\rv 1 \\\r 2\\\r\roops\r"),
+              StartsWith("text.obj:2: A vertex needs"));
 }
 
 TEST(ImportObj, BrokenVerticesInNoFaceAreLeftOutAndTold) {
-  const ImportedMesh imported = read(kSquare + "v 1 2.5.5 0\nv 8 8 8\nv nan 0 0\nf 1 2 3\n");
+  const ImportedMesh imported = import_text(kSquare + "v 1 2.5.5 0\nv 8 8 8\nv nan 0 0\nf 1 2 3\n");
   EXPECT_EQ(imported.mesh->vertex_count(), 3U);
   EXPECT_EQ(imported.report.count(MendKind::kLooseVertex), 2U);
   EXPECT_EQ(imported.mesh->attributes().loose_vertices.size(), 2U);
@@ -168,14 +150,14 @@ TEST(ImportObj, BrokenVerticesInNoFaceAreLeftOutAndTold) {
 
 TEST(ImportObj, NonFiniteCoordinatesAreErrorsWithTheirLine) {
   for (const char* number : {"nan", "-nan", "NaN", "inf", "-Infinity", "1e400", "-1e999"}) {
-    EXPECT_THAT(refusal(kSquare + "# more\nv 0 " + std::string(number) + " 0\nf 1 2 5"),
+    EXPECT_THAT(refusal_of(kSquare + "# more\nv 0 " + std::string(number) + " 0\nf 1 2 5"),
                 StartsWith("text.obj:6: This vertex has a coordinate that is not a finite number"))
         << number;
   }
 }
 
 TEST(ImportObj, MalformedFacesAreErrorsWithTheirLine) {
-  const auto refuse_face = [](const std::string& face) { return refusal(kSquare + face); };
+  const auto refuse_face = [](const std::string& face) { return refusal_of(kSquare + face); };
   EXPECT_THAT(refuse_face("f 1 2 3 0"), HasSubstr("text.obj:5: A face names vertex 0;"));
   EXPECT_THAT(refuse_face("f 1 2 -5"), HasSubstr("text.obj:5: A face names vertex -5, counted back "
                                                  "from here, but only 4 stand before it."));
@@ -198,12 +180,12 @@ TEST(ImportObj, MalformedFacesAreErrorsWithTheirLine) {
 }
 
 TEST(ImportObj, MessagesShowNoControlCharacters) {
-  const std::string message = refusal("v 0 0 \x1B[31mred\xFF" + std::string(500, 'x') + "\n");
+  const std::string message = refusal_of("v 0 0 \x1B[31mred\xFF" + std::string(500, 'x') + "\n");
   EXPECT_EQ(message, "text.obj:1: \"?[31mred?xxxxxxxxxxxxxxxxxxxxxxx...\" is not a number.");
 }
 
 TEST(ImportObj, NothingIsLostInSilence) {
-  const ImportedMesh imported = read(
+  const ImportedMesh imported = import_text(
       "mtllib missing.mtl\no box\n" + kSquare +
       "v 0 0 1 0.5\nv 1 0 1 0.1 0.2 0.3\nv 1 1 1 1\n"
       "vt 0 0 0.5\nvt 1 1\nvn 0 0 1\nvp 0.5\ng a b\nusemtl red\ns 1\nf 1 2 3 4\ns off\nf 5 6 2 1\n"
@@ -228,16 +210,16 @@ TEST(ImportObj, UnknownStatementsAreSummedUp) {
   for (int i = 0; i < 500; ++i) {
     text += "word" + std::to_string(i) + " 1\n";
   }
-  const ImportedMesh imported = read(text);
+  const ImportedMesh imported = import_text(text);
   ASSERT_EQ(imported.report.unused_data.size(), 9U);
   EXPECT_EQ(imported.report.unused_data[7], "1 \"word7\" statement");
   EXPECT_EQ(imported.report.unused_data[8], "492 other unknown statements");
 }
 
 TEST(ImportObj, MendsWithAReport) {
-  const ImportedMesh imported = read(kSquare +
-                                     "v 5 5 5\nv 2 1 0\nv 2 2 0\nf 1 2 3 3\nf 1 4 3\n"
-                                     "f 3 6 7\n");
+  const ImportedMesh imported = import_text(kSquare +
+                                            "v 5 5 5\nv 2 1 0\nv 2 2 0\nf 1 2 3 3\nf 1 4 3\n"
+                                            "f 3 6 7\n");
   EXPECT_EQ(faces_of(*imported.mesh), (Faces{{0, 1, 2}, {0, 2, 3}, {6, 4, 5}}));
   EXPECT_EQ(imported.mesh->positions()[4], glm::dvec3(2.0, 1.0, 0.0));
   EXPECT_EQ(imported.mesh->positions()[6], imported.mesh->positions()[2]);
@@ -250,15 +232,15 @@ TEST(ImportObj, MendsWithAReport) {
 }
 
 TEST(ImportObj, RefusesWhatIsNoMesh) {
-  EXPECT_THAT(refusal(""), HasSubstr("neither vertices nor faces"));
-  EXPECT_THAT(refusal("\xEF\xBB\xBF"), HasSubstr("neither vertices nor faces"));
-  EXPECT_THAT(refusal("\\\n\\"), HasSubstr("neither vertices nor faces"));
-  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("neither vertices nor faces"));
-  EXPECT_THAT(refusal(kSquare + "l 1 2\n"),
+  EXPECT_THAT(refusal_of(""), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal_of("\xEF\xBB\xBF"), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal_of("\\\n\\"), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal_of("# nothing\n"), HasSubstr("neither vertices nor faces"));
+  EXPECT_THAT(refusal_of(kSquare + "l 1 2\n"),
               HasSubstr("text.obj: There are 4 vertices but no faces to paint on. What there is: "
                         "1 line element."));
-  EXPECT_THAT(refusal("solid cube\nfacet normal 0 0 1\n"), HasSubstr("\"solid\" statement"));
-  EXPECT_THAT(refusal(kSquare + std::string("f 1 2 3\0", 8)), HasSubstr("binary data"));
+  EXPECT_THAT(refusal_of("solid cube\nfacet normal 0 0 1\n"), HasSubstr("\"solid\" statement"));
+  EXPECT_THAT(refusal_of(kSquare + std::string("f 1 2 3\0", 8)), HasSubstr("binary data"));
 }
 
 TEST(ImportObj, LongLinesAndPolygons) {
@@ -268,8 +250,8 @@ TEST(ImportObj, LongLinesAndPolygons) {
     text += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
     face += " " + std::to_string(i) + (i % 10 == 0 ? " \\\n" : "");
   }
-  EXPECT_EQ(read(text + face).mesh->face(0).size(), 50000U);
-  EXPECT_THAT(refusal(text + face + " -60000\n"), StartsWith("text.obj:55001: "));
+  EXPECT_EQ(import_text(text + face).mesh->face(0).size(), 50000U);
+  EXPECT_THAT(refusal_of(text + face + " -60000\n"), StartsWith("text.obj:55001: "));
 }
 
 // Whatever happens to a text, the answer is a sound mesh or an error.
