@@ -18,7 +18,7 @@
 namespace limn::ui {
 namespace {
 
-constexpr double kMinPanelWidth = 260.0;
+constexpr double kMinPanelWidth = 300.0;
 constexpr double kMaxPanelWidth = 560.0;
 constexpr double kMinViewportWidth = 240.0;
 constexpr double kStripWidth = 44.0;

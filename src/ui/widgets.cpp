@@ -69,9 +69,10 @@ void fill_item(ImU32 colour, float rounding) {
 }
 
 /// The face of a button over the item drawn last.
-void draw_button(const PanelContext& context, std::string_view label, bool is_enabled,
+void draw_button(const PanelContext& context, std::string_view whole_label, bool is_enabled,
                  bool is_primary) {
   const ThemeColours& c = context.colours;
+  const std::string label = fit_text(whole_label, ImGui::GetItemRectSize().x);
   const float rounding = context.px(4);
   if (is_primary && is_enabled) {
     const float strength = ImGui::IsItemActive() ? 0.8F : (ImGui::IsItemHovered() ? 0.92F : 1.0F);
@@ -285,7 +286,7 @@ void action_toggle(PanelContext& context, const Action& action, float width) {
   const std::string_view label = info(action.id).label;
   draw_text(
       {box.x + side + context.px(8), std::floor(low.y + (height - ImGui::GetFontSize()) / 2.0F)},
-      c.text, label);
+      c.text, fit_text(label, width - side - context.px(8)));
   explain(context, action);
   remember(context, label);
   if (is_pressed) {

@@ -72,6 +72,31 @@ def check_no_display(executable, mesh, folder):
     assert "display" in done.stderr and "limn render" in done.stderr, done.stderr
 
 
+def check_first_start(executable, display, folder):
+    """Who is here for the first time is told how to paint and orbit, until both were done."""
+    home = os.path.join(folder, "new")
+    program = Program(executable, ["cube"], display, home, is_first_start=True)
+    try:
+        state = program.wait_for("it has started", lambda s: not s["busy"] and s["hints"])
+        x, y, width, height = state["viewport"]
+        middle = (x + width / 2, y + height / 2)
+        program.drag([middle, (middle[0] + 10, middle[1])])
+        state = program.wait_for("it is painted", lambda s: s["modified"] and not s["busy"])
+        assert state["hints"], "orbiting is not learnt yet"
+        program.drag([middle, (middle[0] + 60, middle[1] + 10)], button=2)
+        state = program.wait_for("the card is gone", lambda s: not s["hints"])
+        assert "Got it" not in state["items"] or program.wait_for(
+            "its button too", lambda s: "Got it" not in s["items"])
+        program.key("ctrl+z")
+        program.wait_for("nothing is to be saved", lambda s: not s["modified"])
+        program.close_window()
+        assert program.wait_for_exit() == 0, program.log()
+    finally:
+        program.kill()
+    with open(os.path.join(home, "config", "limn", "preferences.json")) as file:
+        assert json.load(file)["hints"] is False
+
+
 def check_unsaved_and_preferences(executable, display, folder):
     program = Program(executable, [], display, folder)
     try:
@@ -183,6 +208,7 @@ def main():
         try:
             check_bad_file_in_window(executable, display, folder)
             check_desktop_dialog(executable, mesh, display, folder)
+            check_first_start(executable, display, folder)
             check_unsaved_and_preferences(executable, display, folder)
             check_recovery(executable, display, folder)
         finally:
