@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "limn/document/document.h"
 #include "ui/keymap.h"
 #include "ui/mouse_map.h"
 #include "ui/panels.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "ui/format.h"
@@ -13,8 +14,9 @@ namespace {
 
 constexpr int kLines = 8;
 
-constexpr float kColumns = 4.0F;  // Of the compact form,
-constexpr float kCell = 70.0F;    // so many design units wide.
+constexpr int kColumns = 4;  // Of the compact form,
+constexpr int kRows = kLines / kColumns;
+constexpr float kCell = 70.0F;  // so many design units wide.
 
 struct Metrics {
   float padding, line, swatch, width, chip;
@@ -115,8 +117,8 @@ WindowSize size_of(const LegendLook& look, float width, int lines) {
 
 WindowSize compact_legend_size(const LegendLook& look) {
   const Metrics m = metrics(look);
-  return {static_cast<double>(2.0F * m.padding + kColumns * kCell * look.unit),
-          static_cast<double>(2.0F * m.padding + kLines / kColumns * m.line)};
+  return {static_cast<double>(2.0F * m.padding + static_cast<float>(kColumns) * kCell * look.unit),
+          static_cast<double>(2.0F * m.padding + static_cast<float>(kRows) * m.line)};
 }
 
 void draw_compact_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,
@@ -133,8 +135,9 @@ void draw_compact_legend(ImDrawList& list, const LegendLook& look, const LegendC
     list.AddText(font, height, {std::floor(x), std::floor(y)}, ink, text.c_str());
   };
   for (int line = 0; line < kLines; ++line) {
-    const auto column = static_cast<float>(line % static_cast<int>(kColumns));
-    const auto row = static_cast<float>(line / static_cast<int>(kColumns));
+    const auto [whole, rest] = std::div(line, kColumns);
+    const auto column = static_cast<float>(rest);
+    const auto row = static_cast<float>(whole);
     const ImVec2 low{std::floor(origin.x + m.padding + column * kCell * look.unit),
                      std::floor(origin.y + m.padding + row * m.line + (m.line - m.chip) / 2.0F)};
     const ImVec2 high{low.x + m.chip * 1.25F, low.y + m.chip};
