@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kLines = 8;
 
-constexpr int kColumns = 4;  // Of the compact form,
+constexpr int kColumns = 4;  // Of the compact form, whose cells are so many design units wide.
 constexpr int kRows = kLines / kColumns;
-constexpr float kCell = 70.0F;  // so many design units wide.
+constexpr float kCell = 70.0F;
 
 struct Metrics {
   float padding, line, swatch, width, chip;
