@@ -61,6 +61,24 @@ void Desk::click() {
   }
 }
 
+void Desk::press(ui::WindowPoint point) {
+  point_at(point);
+  push(ui::ButtonChanged{ui::MouseButton::kLeft, true});
+  while (queue_.has_pending()) {
+    draw_frame();
+  }
+}
+
+void Desk::drag(ui::WindowPoint from, ui::WindowPoint to) {
+  press(from);
+  point_at(ui::WindowPoint{(from.x + to.x) / 2.0, (from.y + to.y) / 2.0});
+  point_at(to);
+  push(ui::ButtonChanged{ui::MouseButton::kLeft, false});
+  while (queue_.has_pending()) {
+    draw_frame();
+  }
+}
+
 void Desk::draw_frame() {
   offscreen_.frame(queue_.next_frame(), time_ += 0.1);
 }

@@ -30,6 +30,10 @@ class Desk {
   void point_at(ui::WindowPoint point);
   /// One press and release of the left button where the cursor is.
   void click();
+  /// The left button goes down there, and stays down.
+  void press(ui::WindowPoint point);
+  /// A drag of the left button along a straight line.
+  void drag(ui::WindowPoint from, ui::WindowPoint to);
 
   /// Changes what the panels are told, so that nothing in a picture depends on the machine.
   void adjust_model(std::function<void(ui::Model&)> adjust) {

@@ -91,6 +91,16 @@ class Program:
         shown = {k: v for k, v in (self.state or {}).items() if k not in ("items", "depths")}
         raise AssertionError(f"waited in vain until {what}; the state is {shown}\n{self.log()}")
 
+    def wait_for_rest(self):
+        """Waits until the camera glides no more."""
+        view, since = None, time.monotonic()
+        while time.monotonic() - since < 0.4:
+            time.sleep(0.05)
+            state = self.wait_for("it is at rest", lambda s: not s["busy"])
+            if state["view"] != view:
+                view, since = state["view"], time.monotonic()
+        return self.state
+
     def wait_for_exit(self):
         try:
             return self.process.wait(PATIENCE)

@@ -141,7 +141,7 @@ def take_picture(program):
 
 def colours_and_numbers(program, positions, faces):
     """Without light and wires, colours are those of the palette: by depth, by level, or none."""
-    image = FaceImage(positions, faces, program.state)
+    image = FaceImage(positions, faces, program.wait_for_rest())
     place, face = place_on_mesh(image)
     program.click(*image.to_window(place))
     program.wait_for("a face is painted", lambda s: s["depths"][face] == 1)

@@ -15,11 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_updating() {
-  const char* value = std::getenv("LIMN_UPDATE_GOLDENS");
-  return value != nullptr && std::string_view(value) == "1";
-}
-
 testing::AssertionResult written(const fs::path& path, const render::Image& image) {
   const Result<void> result = render::write_png(path, image);
   return result ? testing::AssertionSuccess()
@@ -51,12 +46,25 @@ ImageDifference compare_images(const render::Image& a, const render::Image& b) {
   return difference;
 }
 
+std::string source_folder() {
+  return LIMN_SOURCE_DIR;
+}
+
+bool is_updating_goldens() {
+  const char* value = std::getenv("LIMN_UPDATE_GOLDENS");
+  return value != nullptr && std::string_view(value) == "1";
+}
+
 testing::AssertionResult matches_golden(const render::Image& image, const std::string& name) {
-  const fs::path folder = fs::path(LIMN_SOURCE_DIR) / "tests" / "golden";
-  const fs::path golden = folder / (name + ".png");
-  const fs::path out = folder / (name + ".out.png");
-  const fs::path diff = folder / (name + ".diff.png");
-  if (is_updating()) {
+  return matches_picture(image, "tests/golden/" + name + ".png");
+}
+
+testing::AssertionResult matches_picture(const render::Image& image, const std::string& path) {
+  const fs::path golden = fs::path(LIMN_SOURCE_DIR) / path;
+  const std::string name = golden.stem().string();
+  const fs::path out = golden.parent_path() / (name + ".out.png");
+  const fs::path diff = golden.parent_path() / (name + ".diff.png");
+  if (is_updating_goldens()) {
     fs::remove(out);
     fs::remove(diff);
     return written(golden, image);

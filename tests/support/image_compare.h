@@ -24,4 +24,13 @@ struct ImageDifference {
 [[nodiscard]] testing::AssertionResult matches_golden(const render::Image& image,
                                                       const std::string& name);
 
+/// The same for any picture of the tree, by its path from the root: "docs/guide/start.png".
+[[nodiscard]] testing::AssertionResult matches_picture(const render::Image& image,
+                                                       const std::string& path);
+
+/// The root of the tree.
+[[nodiscard]] std::string source_folder();
+/// Whether what was expected is to be rewritten: LIMN_UPDATE_GOLDENS=1.
+[[nodiscard]] bool is_updating_goldens();
+
 }  // namespace limn::test
