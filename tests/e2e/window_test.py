@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 
+from drop import drop_file
 from program import PATIENCE, Display, Folder, Program, clean_environment
 
 
@@ -95,6 +96,42 @@ def check_first_start(executable, display, folder):
         program.kill()
     with open(os.path.join(home, "config", "limn", "preferences.json")) as file:
         assert json.load(file)["hints"] is False
+
+
+def check_drop(executable, mesh, display, folder):
+    """A file dropped on the window is opened, unless something would be lost."""
+    program = Program(executable, ["cube"], display, folder)
+    try:
+        state = program.wait_for("it has started", lambda s: not s["busy"])
+        x, y, width, height = state["viewport"]
+        middle = (x + width / 2, y + height / 2)
+        drop_file(program, mesh, middle)
+        program.wait_for("it is open", lambda s: s["title"].startswith("creature.obj"))
+        program.key("a")
+        program.wait_for("it is painted", lambda s: s["modified"])
+        drop_file(program, mesh, middle)
+        program.wait_for("it asks before changes are lost", lambda s: s["modal"] == "unsaved")
+        program.click(*program.item("Discard changes"))
+        program.wait_for("it is open anew", lambda s: not s["modal"] and not s["modified"])
+        program.close_window()
+        assert program.wait_for_exit() == 0
+    finally:
+        program.kill()
+
+
+def check_closing_while_refining(executable, display, folder):
+    """Whoever closes the window waits for nothing."""
+    program = Program(executable, [], display, folder)
+    try:
+        program.wait_for("it has started", lambda s: not s["busy"])
+        program.key(*["a"] * 6)  # More than four million faces: they take a while,
+        program.close_window()   # and nobody waits for them here.
+        program.wait_for("it asks before changes are lost", lambda s: s["modal"] == "unsaved")
+        program.click(*program.item("Discard changes"))
+        assert program.wait_for_exit() == 0
+        assert "Sanitizer" not in program.log(), program.log()
+    finally:
+        program.kill()
 
 
 def check_unsaved_and_preferences(executable, display, folder):
@@ -209,6 +246,8 @@ def main():
             check_bad_file_in_window(executable, display, folder)
             check_desktop_dialog(executable, mesh, display, folder)
             check_first_start(executable, display, folder)
+            check_drop(executable, mesh, display, folder)
+            check_closing_while_refining(executable, display, folder)
             check_unsaved_and_preferences(executable, display, folder)
             check_recovery(executable, display, folder)
         finally:
