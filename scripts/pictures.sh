@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # pictures.sh
-# Makes the pictures of the documentation anew: the painted creature and its refinement by `limn render`,
-# a screenshot of the window on a display of its own, and the schemes.
+# Makes pictures of the documentation anew: the painted creature and its refinement by `limn render`,
+# a screenshot of a classroom's window on a display of its own, and the schemes. scripts/guide.sh
+# draws the guide's and the README's window.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/install-packages.sh program tests
@@ -21,7 +22,6 @@ trap 'rm -rf "$scratch"' EXIT
 look=(--view three-quarter --size 960x720 --light-theme)
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show control -o docs/painted.png
 "$limn" render "$scratch/creature.limn" "${look[@]}" --show refined -o docs/refined.png
-scripts/window_picture.py "$limn" "$scratch/creature.limn" docs/window.png
 scripts/classroom_picture.py "$limn" docs/classroom.png
 scripts/scheme_pictures.sh "$limn"
 ls -l docs/*.png
