@@ -1,5 +1,6 @@
 // Camera drags over a mesh that shows in the left two thirds of the viewport, as deep as asked for.
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 
 #include "app/session.h"
 #include "app/viewport_controller.h"
+#include "app/viewport_mouse.h"
 
 namespace limn::app {
 namespace {
@@ -44,28 +46,14 @@ class SheetPicker final : public ViewportPicker {
   const Session& session_;
 };
 
-class CameraDrags : public testing::Test {
+class CameraDrags : public testing::Test, protected ViewportMouse {
  protected:
   CameraDrags() { session_.perform({ui::ActionId::kOpenBundled, std::string("cube")}); }
 
-  void frame(const ui::ViewportInput& input) {
+  void frame(const ui::ViewportInput& input) override {
     controller_.update(input, place_, session_, picker_);
   }
-  void change(MouseButton button, bool is_down) {
-    held_.buttons_down[static_cast<std::size_t>(button)] = is_down;
-    ui::ViewportInput input = held_;
-    input.cursor = cursor_;
-    input.button = ui::ButtonChanged{button, is_down};
-    input.owns_drag = true;
-    held_.owns_drag = is_down;
-    frame(input);
-  }
-  void move(ui::WindowPoint to) {
-    ui::ViewportInput input = held_;
-    input.path = {to};
-    input.cursor = cursor_ = to;
-    frame(input);
-  }
+  void move(ui::WindowPoint to) { move_along({to}); }
   /// A drag of one button from a place by so much.
   void drag(MouseButton button, ui::WindowPoint from, double dx, double dy) {
     move(from);
@@ -80,12 +68,6 @@ class CameraDrags : public testing::Test {
   Session session_{{[] {}, {}}};
   SheetPicker picker_{session_};
   ViewportController controller_;
-  ui::ViewportInput held_ = [] {
-    ui::ViewportInput input;
-    input.is_hovered = true;
-    return input;
-  }();
-  ui::WindowPoint cursor_;
 };
 
 TEST_F(CameraDrags, AnOrbitGoesRoundWhatIsUnderTheCursorWhenItBegins) {

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "app/desk.h"
-#include "app/steady_figures.h"
 #include "app/fonts.h"
+#include "app/steady_figures.h"
 #include "support/image_compare.h"
 #include "ui/action_table.h"
 #include "ui/keymap.h"

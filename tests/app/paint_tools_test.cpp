@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 
 #include "app/session.h"
 #include "app/viewport_controller.h"
+#include "app/viewport_mouse.h"
 #include "limn/document/refinement.h"
 #include "limn/progress.h"
 
@@ -65,32 +67,17 @@ class StripCubePicker final : public ViewportPicker {
   const Session& session_;
 };
 
-class PaintToolsTest : public testing::Test {
+class PaintToolsTest : public testing::Test, protected ViewportMouse {
  protected:
   PaintToolsTest() {
     session_.perform({kOpenBundled, std::string("cube")});
     session_.perform({kSetBrushRadius, 4.0});
   }
 
-  void frame(const ui::ViewportInput& input) {
+  void frame(const ui::ViewportInput& input) override {
     controller_.update(input, place_, session_, picker_);
   }
-  void move(double x, double y = 220.0) {
-    cursor_ = {x, y};
-    ui::ViewportInput input = held_;
-    input.path = {cursor_};
-    input.cursor = cursor_;
-    frame(input);
-  }
-  void change(MouseButton button, bool is_down) {
-    held_.buttons_down[static_cast<std::size_t>(button)] = is_down;
-    ui::ViewportInput input = held_;
-    input.cursor = cursor_;
-    input.button = ui::ButtonChanged{button, is_down};
-    input.owns_drag = true;
-    held_.owns_drag = is_down;
-    frame(input);
-  }
+  void move(double x, double y = 220.0) { move_along({{x, y}}); }
   void press() { change(MouseButton::kLeft, true); }
   void release() { change(MouseButton::kLeft, false); }
   void click(double x) {
@@ -124,12 +111,6 @@ class PaintToolsTest : public testing::Test {
   Session session_{{[] {}, {}}};
   StripCubePicker picker_{session_};
   ViewportController controller_;
-  ui::ViewportInput held_ = [] {
-    ui::ViewportInput input;
-    input.is_hovered = true;
-    return input;
-  }();
-  ui::WindowPoint cursor_;
 };
 
 TEST_F(PaintToolsTest, FillTakesTheRegionOfEqualDepthInOneCommand) {

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/session.h"
+#include "app/viewport_mouse.h"
 
 namespace limn::app {
 namespace {
@@ -64,30 +66,18 @@ class FacePickerStub final : public ViewportPicker {
   std::uint32_t face_;
 };
 
-class ViewportControllerTest : public testing::Test {
+class ViewportControllerTest : public testing::Test, protected ViewportMouse {
  protected:
   ViewportControllerTest() {
     session_.perform({ui::ActionId::kOpenBundled, std::string("cube")});
     session_.perform({ui::ActionId::kSetBrushRadius, 4.0});
   }
 
-  void frame(ui::ViewportInput input) { controller_.update(input, place_, session_, picker_); }
+  void frame(const ui::ViewportInput& input) override {
+    controller_.update(input, place_, session_, picker_);
+  }
 
-  void move(std::vector<ui::WindowPoint> path) {
-    ui::ViewportInput input = held_;
-    input.path = path;
-    input.cursor = cursor_ = path.back();
-    frame(input);
-  }
-  void change(MouseButton button, bool is_down) {
-    held_.buttons_down[static_cast<std::size_t>(button)] = is_down;
-    ui::ViewportInput input = held_;
-    input.cursor = cursor_;
-    input.button = ui::ButtonChanged{button, is_down};
-    input.owns_drag = true;
-    held_.owns_drag = held_.buttons_down[0] || held_.buttons_down[1] || held_.buttons_down[2];
-    frame(input);
-  }
+  void move(std::vector<ui::WindowPoint> path) { move_along(std::move(path)); }
   void press(MouseButton button) { change(button, true); }
   void release(MouseButton button) { change(button, false); }
 
@@ -100,12 +90,6 @@ class ViewportControllerTest : public testing::Test {
   Session session_{{[] {}, {}}};
   StripPicker picker_;
   ViewportController controller_;
-  ui::ViewportInput held_ = [] {
-    ui::ViewportInput input;
-    input.is_hovered = true;
-    return input;
-  }();
-  ui::WindowPoint cursor_;
 };
 
 TEST_F(ViewportControllerTest, FastStrokeLeavesNoGapsAndIsOneCommand) {
