@@ -128,6 +128,8 @@ TEST(Recording, SaysWhichLineIsNone) {
   };
   EXPECT_EQ(error_of("").kind, ErrorKind::kBadInput);
   EXPECT_EQ(error_of("v 1 2 3\n").line, 1u);
+  EXPECT_THAT(error_of("v 1 2 3\n").message, HasSubstr("no recording"));
+  EXPECT_THAT(error_of(head + "{\"t\":\n").message, HasSubstr("damaged"));
   EXPECT_EQ(error_of(head + "{\"t\":0}\n{\"t\":\"x\"}\n").line, 3u);
   EXPECT_EQ(error_of(head + R"({"t":0,"events":[[0,"",["key","Hyper",true,false]]]})" + "\n").line,
             2u);

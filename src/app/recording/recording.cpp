@@ -381,6 +381,11 @@ Result<Recording> parse_recording(std::string_view text, const std::string& sour
       } else {
         recording.turns.push_back(turn_of(json));
       }
+    } catch (const Line::parse_error&) {
+      return fail(ErrorKind::kBadInput,
+                  line == 1 ? "This is no recording. limn --record FILE writes one."
+                            : "This line is damaged: the recording cannot be played back.",
+                  source, line);
     } catch (const Line::exception& error) {
       return fail(ErrorKind::kBadInput,
                   fmt::format("This is not a line of a recording that `limn --record` writes: {}.",
