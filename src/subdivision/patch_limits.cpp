@@ -139,12 +139,7 @@ namespace {
 /// The longest level whose limits are taken vertex by vertex, with the ring.
 constexpr std::size_t kLongestLevel = 2 * (kLongestLimitRow - 3) + 3;
 
-/// How the limits along a side that lies on the patch's are found.
-enum class SideLimits {
-  kSmooth,    ///< As inside.
-  kMirrored,  ///< As inside, once what lies beyond mirrors what lies within.
-  kWearing,   ///< Vertex by vertex: it changes rules at some level.
-};
+}  // namespace
 
 SideLimits side_limits(const Patch& patch, const PatchGrid& grid, std::size_t i) {
   const PatchSide& side = patch.sides[i];
@@ -169,7 +164,6 @@ SideLimits side_limits(const Patch& patch, const PatchGrid& grid, std::size_t i)
   return is_infinite_somewhere ? SideLimits::kMirrored : SideLimits::kSmooth;
 }
 
-/// Replaces the ring beyond side i.
 void mirror_ring(const GridView& grid, std::size_t i, Point* points) {
   const GridLine line = side_line(grid, i);
   const auto inwards = i == 0 || i == 3 ? static_cast<std::ptrdiff_t>(line.across)
@@ -179,6 +173,8 @@ void mirror_ring(const GridView& grid, std::size_t i, Point* points) {
     *(on - inwards) = *on * 2.0 - on[inwards];
   }
 }
+
+namespace {
 
 void put_corner_limits(const Patch& patch, const Node& node, const PatchGrid& grid,
                        const RefinedArrays& arrays) {

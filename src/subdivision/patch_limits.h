@@ -24,6 +24,19 @@ struct GridPlace {
 inline constexpr std::array<GridPlace, 4> kCornersOfFour{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
 inline constexpr std::array<GridPlace, 4> kMiddlesOfFour{{{1, 0}, {2, 1}, {1, 2}, {0, 1}}};
 
+/// How the limits along a side of a grid are found.
+enum class SideLimits {
+  kSmooth,    ///< As inside.
+  kMirrored,  ///< As inside, once what lies beyond mirrors what lies within.
+  kWearing,   ///< Vertex by vertex: it changes rules at some level.
+};
+
+[[nodiscard]] SideLimits side_limits(const Patch& patch, const PatchGrid& grid, std::size_t i);
+
+/// Replaces the ring beyond side i, so that the rules inside give those of the curve. `points` are
+/// the grid's.
+void mirror_ring(const GridView& grid, std::size_t i, Point* points);
+
 /// The limits of all vertices that a uniform node owns, out of its last level but one with the
 /// ring. `points` are that level's, and lose those beyond the patch's own sides.
 void put_uniform_limits(const Patch& patch, const Node& node, const PatchGrid& before_last,

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "limn/subdivision/face_errors.h"
+#include "subdivision/limit_point.h"
+#include "subdivision/patch.h"
+
+// How far the quads that a patch is refined to are from its limit. Internal to this folder.
+namespace limn {
+
+/// What is asked of a patch.
+struct PatchErrorWish {
+  SurfacePoints points = SurfacePoints::kLimit;
+  double enough = 0.0;      ///< Parts with an error up to this are not looked at more closely,
+  int last_level = 0;       ///< nor are those of this level. Rings reach one level further.
+  bool is_creased = false;  ///< Creases or corners are about, beside which nine places miss more.
+};
+
+/// Raises the errors of the levels from `root_level` (that of the patch's root) on to the patch's
+/// own. False where the last level was reached with more than enough error left.
+bool add_patch_errors(const Patch& patch, int root_level, const PatchErrorWish& wish,
+                      LevelErrors& errors);
+
+/// Raises the error of level 0 to that of a face with any number of sides that stays as it is.
+struct PolygonSamples {
+  std::span<const Point> corners;       ///< Where the face's corners stand.
+  std::span<const LimitPoint> limits;   ///< Where they tend to,
+  std::span<const LimitPoint> middles;  ///< where the middle of the side from each tends to,
+  LimitPoint centre;                    ///< and the centre.
+};
+[[nodiscard]] double polygon_error(const PolygonSamples& samples, SurfacePoints points);
+
+}  // namespace limn

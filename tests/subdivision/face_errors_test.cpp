@@ -1,0 +1,230 @@
+// Errors against brute force: limit points of a much finer level, each with its distance from the
+// triangles of a uniform level.
+#include "limn/subdivision/face_errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "limn/subdivision/label_subdivision.h"
+#include "support/attribute_shapes.h"
+#include "support/shapes.h"
+
+namespace limn {
+namespace {
+
+using test::MeshPointer;
+
+RefinedMesh uniform(const ControlMesh& mesh, int levels, SurfacePoints points) {
+  SubdivisionSettings settings;
+  settings.points = points;
+  IgnoreProgress progress;
+  return refine(mesh, VertexLabels(mesh.vertex_count(), static_cast<std::uint8_t>(levels)),
+                settings, {}, progress)
+      .value();
+}
+
+double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 along = b - a;
+  const double square = glm::dot(along, along);
+  const double t = square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(p, a + t * along);
+}
+
+double distance_to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                            const glm::dvec3& c) {
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const bool is_above = glm::dot(glm::cross(b - a, p - a), normal) >= 0.0 &&
+                        glm::dot(glm::cross(c - b, p - b), normal) >= 0.0 &&
+                        glm::dot(glm::cross(a - c, p - c), normal) >= 0.0;
+  if (is_above && glm::length(normal) > 0.0) {
+    return std::abs(glm::dot(p - a, glm::normalize(normal)));
+  }
+  return std::min(
+      {distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+}
+
+/// The greatest distance of a face's limit points from the mesh, whichever way its quads are cut
+/// first: by the diagonal from corner 0, or the other.
+std::vector<double> measured_errors(const ControlMesh& control, const RefinedMesh& mesh,
+                                    const RefinedMesh& fine, std::size_t diagonal) {
+  std::vector<double> errors(control.face_count(), 0.0);
+  for (std::size_t f = 0; f < fine.face_count(); ++f) {
+    for (const std::uint32_t v : fine.face(f)) {
+      const glm::dvec3 p = fine.position(v);
+      double nearest = 1e300;
+      for (std::size_t g = 0; g < mesh.face_count(); ++g) {
+        const auto corners = mesh.face(g);
+        const std::size_t n = corners.size();
+        for (std::size_t i = 1; i + 1 < n; ++i) {
+          nearest = std::min(nearest,
+                             distance_to_triangle(p, mesh.position(corners[diagonal % n]),
+                                                  mesh.position(corners[(i + diagonal) % n]),
+                                                  mesh.position(corners[(i + 1 + diagonal) % n])));
+        }
+      }
+      double& error = errors[fine.face_control_faces[f]];
+      error = std::max(error, nearest);
+    }
+  }
+  return errors;
+}
+
+struct Extremes {
+  double least = 1e300;
+  double greatest = 0.0;
+};
+
+/// Measured over foretold, of all faces at some levels.
+Extremes ratios(const ControlMesh& mesh, SurfacePoints points, int levels) {
+  IgnoreProgress progress;
+  FaceErrorOptions options;
+  options.points = points;
+  const auto errors = face_errors(mesh, options, progress).value();
+  const RefinedMesh fine = uniform(mesh, levels + 2, SurfacePoints::kLimit);
+  const double trifle = 1e-6 * mesh.bounds().diagonal();
+  Extremes extremes;
+  for (int level = 0; level <= levels; ++level) {
+    const RefinedMesh coarse = uniform(mesh, level, points);
+    const auto one = measured_errors(mesh, coarse, fine, 0);
+    const auto other = measured_errors(mesh, coarse, fine, 1);
+    for (std::size_t f = 0; f < one.size(); ++f) {
+      const double ratio = (std::max(one[f], other[f]) + trifle) /
+                           (errors[f][static_cast<std::size_t>(level)] + trifle);
+      extremes.least = std::min(extremes.least, ratio);
+      extremes.greatest = std::max(extremes.greatest, ratio);
+    }
+  }
+  return extremes;
+}
+
+std::vector<test::NamedShape> shapes() {
+  test::Random random(3);
+  std::vector<test::NamedShape> shapes{
+      {"cube", test::cube()},
+      {"torus", test::control_mesh(test::jittered(test::torus_soup(5, 4), 0.2, random))},
+      {"grid", test::control_mesh(test::jittered(test::grid_soup(4, 3), 0.3, random))},
+      {"kites", test::control_mesh(test::trapezohedron_soup(5))},
+      {"prism", test::control_mesh(test::prism_soup(5))},
+      {"mixed", test::mixed_prism()}};
+  for (const test::NamedShape& shape : test::creased_shapes()) {
+    if (shape.mesh->face_count() < 16) {
+      shapes.push_back(shape);
+    }
+  }
+  return shapes;
+}
+
+class FaceErrors : public testing::TestWithParam<SurfacePoints> {};
+
+TEST_P(FaceErrors, AreNeverMuchBelowWhatIsMeasured) {
+  for (const test::NamedShape& shape : shapes()) {
+    const Extremes extremes = ratios(*shape.mesh, GetParam(), shape.mesh->is_all_quads() ? 2 : 1);
+    EXPECT_LE(extremes.greatest, 1.05) << shape.name;
+  }
+}
+
+TEST_P(FaceErrors, AreTightOnAJitteredTorus) {
+  test::Random random(5);
+  const MeshPointer torus = test::control_mesh(test::jittered(test::torus_soup(5, 4), 0.1, random));
+  const Extremes extremes = ratios(*torus, GetParam(), 2);
+  EXPECT_GE(extremes.least, 0.2);
+}
+
+TEST_P(FaceErrors, AreNothingInAPlane) {
+  // However uneven the points: a distance is to the surface, not to a point of it.
+  test::Random random(9);
+  PolygonSoup soup = test::jittered(test::grid_soup(6, 6), 0.2, random);
+  for (glm::dvec3& p : soup.positions) {
+    p.z = 0.0;
+  }
+  const MeshPointer plane = test::control_mesh(soup);
+  FaceErrorOptions options;
+  options.points = GetParam();
+  IgnoreProgress progress;
+  const auto errors = face_errors(*plane, options, progress).value();
+  EXPECT_LT(errors[14][0], 1e-6F);  // Inside.
+  EXPECT_GT(errors[0][0], 1e-3F);   // Its boundary is a curve.
+}
+
+INSTANTIATE_TEST_SUITE_P(Points, FaceErrors,
+                         testing::Values(SurfacePoints::kLimit, SurfacePoints::kLevel),
+                         [](const auto& points) {
+                           return points.param == SurfacePoints::kLimit ? "Limit" : "Level";
+                         });
+
+TEST(FaceErrorsOptions, EnoughLeavesWhatIsAboveItAsItIs) {
+  test::Random random(3);
+  const MeshPointer mesh = test::control_mesh(test::random_quads(test::torus_soup(6, 5), random));
+  IgnoreProgress progress;
+  const auto all = face_errors(*mesh, {}, progress).value();
+  const double enough = 0.01 * mesh->bounds().diagonal();
+  FaceErrorOptions options;
+  options.enough = enough;
+  const auto some = face_errors(*mesh, options, progress).value();
+  std::size_t above = 0;
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    for (std::size_t level = 0; level < kErrorLevels; ++level) {
+      if (std::max(all[f][level], some[f][level]) > enough) {
+        EXPECT_EQ(all[f][level], some[f][level]) << f << " " << level;
+        ++above;
+      }
+    }
+  }
+  EXPECT_GT(above, all.size());
+}
+
+TEST(FaceBends, AreTheAnglesOfACylinder) {
+  // Eight quads around and long ones along: rings far from the ends turn by 45 degrees each.
+  PolygonSoup soup;
+  for (int ring = 0; ring < 6; ++ring) {
+    for (int i = 0; i < 8; ++i) {
+      const double angle = glm::radians(45.0 * i);
+      soup.positions.emplace_back(std::cos(angle), std::sin(angle), ring);
+    }
+  }
+  for (std::uint32_t ring = 0; ring < 5; ++ring) {
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const std::uint32_t next = (i + 1) % 8;
+      soup.add_face(
+          std::array{8 * ring + i, 8 * ring + next, 8 * ring + 8 + next, 8 * ring + 8 + i});
+    }
+  }
+  const MeshPointer cylinder = test::control_mesh(soup);
+  IgnoreProgress progress;
+  const auto bends = face_bends(*cylinder, CornerRule::kSharp, progress).value();
+  for (std::size_t f = 16; f < 24; ++f) {
+    EXPECT_NEAR(bends[f], 45.0, 1e-4);
+  }
+}
+
+TEST(FaceBends, DoNotSeeBeyondACrease) {
+  // The faces of a cube with all edges sharp are flat.
+  PolygonSoup soup = test::cube_soup();
+  std::vector<CreaseTag> creases;
+  for (std::size_t f = 0; f < soup.face_count(); ++f) {
+    const auto face = soup.face(f);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (face[i] < face[(i + 1) % 4]) {
+        creases.push_back({{face[i], face[(i + 1) % 4]}, kInfiniteSharpness});
+      }
+    }
+  }
+  const MeshPointer cube = test::with_tags(soup, creases);
+  IgnoreProgress progress;
+  const auto creased = face_bends(*cube, CornerRule::kSharp, progress).value();
+  const auto smooth = face_bends(*test::cube(), CornerRule::kSharp, progress).value();
+  for (std::size_t f = 0; f < 6; ++f) {
+    EXPECT_NEAR(creased[f], 0.0, 1e-4);
+    EXPECT_GT(smooth[f], 60.0);
+  }
+}
+
+}  // namespace
+}  // namespace limn
