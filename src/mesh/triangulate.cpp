@@ -1,12 +1,9 @@
-// Ears are clipped in the plane of the face, the one with the shortest diagonal first. That is done
-// for every face alone; then all diagonals and edges are sorted by their ends, and a face with a
-// diagonal that is there twice is cut from its centroid instead.
+// Every face is cut alone, by clipping ears; then all diagonals and edges are sorted by their ends,
+// and a face with a diagonal that is there twice is cut from its centroid instead.
 #include "limn/mesh/triangulate.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,111 +13,12 @@
 
 #include "limn/contract.h"
 #include "limn/mesh/build.h"
+#include "mesh/ear_clipper.h"
 
 namespace limn {
 namespace {
 
-constexpr std::size_t kMostSidesToClip = 32;
-
-using Triangle = std::array<std::uint32_t, 3>;  ///< Places in a face.
-
-/// Twice the area vector of a polygon (Newell).
-glm::dvec3 area_vector(std::span<const glm::dvec3> points) {
-  glm::dvec3 sum(0.0);
-  for (std::size_t i = 2; i < points.size(); ++i) {
-    sum += glm::cross(points[i - 1] - points[0], points[i] - points[0]);
-  }
-  return sum;
-}
-
-/// The polygon seen against `normal`, from which it runs counter-clockwise.
-std::vector<glm::dvec2> seen_along(const glm::dvec3& normal, std::span<const glm::dvec3> points) {
-  const glm::dvec3 magnitude = glm::abs(normal);
-  const glm::dvec3 aside = magnitude.x <= magnitude.y && magnitude.x <= magnitude.z
-                               ? glm::dvec3(1.0, 0.0, 0.0)
-                           : magnitude.y <= magnitude.z ? glm::dvec3(0.0, 1.0, 0.0)
-                                                        : glm::dvec3(0.0, 0.0, 1.0);
-  const glm::dvec3 right = glm::normalize(glm::cross(aside, normal));
-  const glm::dvec3 up = glm::cross(normal, right);
-  std::vector<glm::dvec2> seen;
-  seen.reserve(points.size());
-  for (const glm::dvec3& point : points) {
-    seen.emplace_back(glm::dot(point - points[0], right), glm::dot(point - points[0], up));
-  }
-  return seen;
-}
-
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Cuts one face; keeps its memory for the next.
-class EarClipper {
- public:
-  /// The triangles of a face, or nothing where no cut stays inside.
-  [[nodiscard]] const std::vector<Triangle>* clip(std::span<const glm::dvec3> points) {
-    triangles_.clear();
-    const glm::dvec3 area = area_vector(points);
-    const double length = glm::length(area);
-    if (!(length > 0.0) || !std::isfinite(length)) {
-      return nullptr;
-    }
-    seen_ = seen_along(area / length, points);
-    left_.resize(points.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-      left_[i] = i;
-    }
-    while (left_.size() > 3) {
-      const std::optional<std::size_t> ear = best_ear(points);
-      if (!ear) {
-        return nullptr;
-      }
-      triangles_.push_back(at(*ear));
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(*ear));
-    }
-    triangles_.push_back({left_[0], left_[1], left_[2]});
-    return &triangles_;
-  }
-
- private:
-  [[nodiscard]] Triangle at(std::size_t i) const {
-    const std::size_t n = left_.size();
-    return {left_[(i + n - 1) % n], left_[i], left_[(i + 1) % n]};
-  }
-
-  [[nodiscard]] bool is_ear(const Triangle& t) const {
-    const glm::dvec2& a = seen_[t[0]];
-    const glm::dvec2& b = seen_[t[1]];
-    const glm::dvec2& c = seen_[t[2]];
-    if (turn(a, b, c) <= 0.0) {
-      return false;
-    }
-    return std::ranges::none_of(left_, [&](std::uint32_t v) {
-      return v != t[0] && v != t[1] && v != t[2] && turn(a, b, seen_[v]) >= 0.0 &&
-             turn(b, c, seen_[v]) >= 0.0 && turn(c, a, seen_[v]) >= 0.0;
-    });
-  }
-
-  /// In a quad both diagonals are ears of two corners; the first is taken.
-  [[nodiscard]] std::optional<std::size_t> best_ear(std::span<const glm::dvec3> points) const {
-    std::optional<std::size_t> best;
-    double least = 0.0;
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      const Triangle t = at(i);
-      const glm::dvec3 diagonal = points[t[2]] - points[t[0]];
-      const double length = glm::dot(diagonal, diagonal);
-      if ((!best || length < least) && is_ear(t)) {
-        best = i;
-        least = length;
-      }
-    }
-    return best;
-  }
-
-  std::vector<glm::dvec2> seen_;
-  std::vector<std::uint32_t> left_;
-  std::vector<Triangle> triangles_;
-};
+using Triangle = EarClipper::Triangle;
 
 /// How the faces are cut: the triangles of all faces one after the other; a face that is cut from
 /// its centroid has none.
@@ -136,22 +34,15 @@ Cuts clip_faces(const ControlMesh& mesh) {
   std::vector<glm::dvec3> points;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
-    bool is_fan = false;
-    if (face.size() == 3) {
-      cuts.triangles.push_back({0, 1, 2});
-    } else {
-      points.clear();
-      for (const std::uint32_t v : face) {
-        points.push_back(mesh.positions()[v]);
-      }
-      const std::vector<Triangle>* triangles =
-          face.size() <= kMostSidesToClip ? clipper.clip(points) : nullptr;
-      is_fan = triangles == nullptr;
-      if (!is_fan) {
-        cuts.triangles.insert(cuts.triangles.end(), triangles->begin(), triangles->end());
-      }
+    points.clear();
+    for (const std::uint32_t v : face) {
+      points.push_back(mesh.positions()[v]);
     }
-    cuts.is_fan.push_back(is_fan);
+    const std::vector<Triangle>* triangles = clipper.clip(points);
+    if (triangles != nullptr) {
+      cuts.triangles.insert(cuts.triangles.end(), triangles->begin(), triangles->end());
+    }
+    cuts.is_fan.push_back(triangles == nullptr);
     cuts.offsets.push_back(cuts.triangles.size());
   }
   return cuts;
