@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -53,12 +54,55 @@ struct RulePoint {
   return points;
 }
 
-/// Calls `body(weights, share)` for the points of the rule in each of the parts * parts triangles
-/// that a triangle is cut into; the shares add up to 1.
+/// What is looked at by one thread: some rows of the parts that one triangle is cut into, or all
+/// rows of several triangles of one group.
+struct Portion {
+  std::uint32_t first_triangle = 0;
+  std::uint32_t last_triangle = 0;  ///< Not of it.
+  std::uint32_t first_row = 0;
+  std::uint32_t last_row = 0;  ///< Not of it.
+};
+
+constexpr std::size_t kPartsInPortion = 128;
+constexpr std::size_t kPointsInPortion = 256;
+
+template <class Surface>
+std::vector<Portion> portions_of(const Surface& surface) {
+  std::vector<Portion> portions;
+  const auto triangles = static_cast<std::uint32_t>(surface.triangle_count());
+  std::size_t room = 0;  // For parts in the last portion.
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    const std::uint32_t parts = surface.parts(t);
+    const std::size_t all = std::size_t{parts} * parts;
+    if (all == 0) {
+      room = 0;
+    } else if (all > kPartsInPortion) {
+      for (std::uint32_t row = 0; row < parts;) {
+        const std::size_t in_row = 2 * std::size_t{parts - row} - 1;  // Rows grow shorter.
+        const auto rows = static_cast<std::uint32_t>(
+            std::clamp<std::size_t>(kPartsInPortion / in_row, 1, parts - row));
+        portions.push_back({t, t + 1, row, row + rows});
+        row += rows;
+      }
+      room = 0;
+    } else {
+      if (all > room || surface.group(t) != surface.group(t - 1)) {
+        portions.push_back({t, t, 0, 0xFFFFFFFFu});
+        room = kPartsInPortion;
+      }
+      portions.back().last_triangle = t + 1;
+      room -= all;
+    }
+  }
+  return portions;
+}
+
+/// Calls `body(weights, share)` for the points of the rule in the rows of the parts * parts
+/// triangles that a triangle is cut into; the shares of all rows add up to 1.
 template <class Body>
-void for_each_point(std::uint32_t parts, const Body& body) {
+void for_each_point(std::uint32_t parts, const Portion& portion, const Body& body) {
   const double part = 1.0 / static_cast<double>(parts);
-  for (std::uint32_t row = 0; row < parts; ++row) {
+  for (std::uint32_t row = portion.first_row; row < std::min(portion.last_row, parts); ++row) {
     for (std::uint32_t column = 0; column < 2 * (parts - row) - 1; ++column) {
       const bool is_turned = column % 2 == 1;  // It stands on its tip.
       const double x = static_cast<double>(column / 2 + (is_turned ? 1 : 0));
@@ -79,10 +123,77 @@ struct Tally {
   std::size_t samples = 0;
   double greatest = -1.0;
   SurfacePlace place;  ///< Of the greatest.
+
+  void take(double distance, std::uint32_t triangle, const glm::dvec3& weights) noexcept {
+    if (distance > greatest) {
+      greatest = distance;
+      place = {triangle, weights};
+    }
+  }
 };
 
-constexpr std::size_t kTrianglesInTally = 64;
-constexpr std::size_t kPointsInTally = 256;
+struct AtVertex {
+  double distance = 0.0;
+  std::uint32_t triangle = 0xFFFFFFFFu;
+  bool is_looked_at = false;
+};
+
+/// At the vertices of triangles that are looked at.
+template <class Surface, class Other>
+std::vector<AtVertex> look_at_vertices(const Surface& surface, const Other& other, Sweep& sweep) {
+  std::vector<AtVertex> vertices(surface.point_count());
+  for (std::uint32_t t = 0; t < surface.triangle_count(); ++t) {
+    if (surface.parts(t) > 0) {
+      for (const std::uint32_t v : surface.corners(t)) {
+        vertices[v].is_looked_at = true;
+      }
+    }
+  }
+  const std::size_t blocks = (vertices.size() + kPointsInPortion - 1) / kPointsInPortion;
+  sweep.ranges(blocks, 128, 1, kPointsInPortion, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block) {
+      std::uint32_t hint = 0xFFFFFFFFu;
+      const std::size_t end = std::min(vertices.size(), (block + 1) * kPointsInPortion);
+      for (std::size_t v = block * kPointsInPortion; v < end; ++v) {
+        if (vertices[v].is_looked_at) {
+          const NearestSurface there = other.nearest(surface.vertex(v), hint);
+          hint = there.triangle;
+          vertices[v].distance = there.distance;
+          vertices[v].triangle = there.triangle;
+        }
+      }
+    }
+  });
+  return vertices;
+}
+
+template <class Surface, class Other, class Found>
+Tally tally(const Surface& surface, const Other& other, std::span<const AtVertex> vertices,
+            const Portion& portion, const Found& found) {
+  Tally result;
+  std::uint32_t hint = 0xFFFFFFFFu;
+  for (std::uint32_t t = portion.first_triangle; t < portion.last_triangle; ++t) {
+    const double area = surface.area(t);
+    for_each_point(surface.parts(t), portion, [&](const glm::dvec3& weights, double share) {
+      const NearestSurface there = other.nearest(surface.point(t, weights), hint);
+      hint = there.triangle;
+      found(t, there.distance, there.triangle);
+      result.take(there.distance, t, weights);
+      result.area += area * share;
+      result.squares += area * share * there.distance * there.distance;
+      ++result.samples;
+    });
+    const std::array<std::uint32_t, 3> corners = surface.corners(t);
+    for (int i = 0; i < 3; ++i) {
+      glm::dvec3 corner(0.0);
+      corner[i] = 1.0;
+      const AtVertex& there = vertices[corners[static_cast<std::size_t>(i)]];
+      found(t, there.distance, there.triangle);
+      result.take(there.distance, t, corner);
+    }
+  }
+  return result;
+}
 
 /// Follows the distance up to its peak within the triangle, from a sample that stands `step` from
 /// others.
@@ -123,108 +234,104 @@ SurfacePlace climb(const Surface& surface, const Other& other, SurfacePlace plac
 
 }  // namespace sampling
 
+/// What was found of some triangles.
+struct GroupDistance {
+  double greatest = -1.0;
+  double squares = 0.0;  ///< Of distances, times area.
+  double area = 0.0;
+  std::size_t samples = 0;
+  glm::dvec3 from{0.0};
+  glm::dvec3 to{0.0};
+};
+
 /// Measures from one surface to another.
 ///
 /// `surface` has point_count(), vertex(i), triangle_count(), corners(t) (into its vertices),
-/// point(t, weights), area(t) and parts(t): triangle t is looked at in parts(t)^2 parts. `other`
-/// has nearest(p, hint), the hint being a triangle that is likely near, and can be asked by several
-/// threads. `found(t, nearest)` is told of every sample in triangle t, or at vertices, which come
-/// first, `found_vertex(v, nearest)`: from several threads. Unspecified where `sweep` is cancelled.
-template <class Surface, class Other, class FoundVertex, class Found>
-DirectedDistance measure_directed(const Surface& surface, const Other& other,
-                                  const FoundVertex& found_vertex, const Found& found,
-                                  Sweep& sweep) {
+/// point(t, weights), area(t), group(t), and parts(t): triangle t is looked at in parts(t)^2 parts,
+/// 0: not at all. `other` has nearest(p, hint), the hint being a triangle that is likely near, and
+/// can be asked by several threads. `found(t, distance, nearest)` is told of every sample in
+/// triangle t and of the triangle that is nearest to it, by several threads. Adds to `groups`.
+/// Unspecified where `sweep` is cancelled.
+template <class Surface, class Other, class Found>
+void measure_directed(const Surface& surface, const Other& other, const Found& found,
+                      std::span<GroupDistance> groups, Sweep& sweep) {
   using sampling::Tally;
-  DirectedDistance result;
-  result.greatest = -1.0;
-  const auto take_greatest = [&result](const glm::dvec3& from, const NearestSurface& to) {
-    if (to.distance > result.greatest) {
-      result.greatest = to.distance;
-      result.from = from;
-      result.to = to.point;
-    }
+  const std::vector<sampling::AtVertex> vertices =
+      sampling::look_at_vertices(surface, other, sweep);
+  const std::vector<sampling::Portion> portions = sampling::portions_of(surface);
+  std::vector<Tally> tallies(portions.size());
+  sweep.ranges(tallies.size(), 64, 1, sampling::kPartsInPortion * 6,
+               [&](std::size_t first, std::size_t last) {
+                 for (std::size_t i = first; i < last; ++i) {
+                   tallies[i] = sampling::tally(surface, other, vertices, portions[i], found);
+                 }
+               });
+  if (sweep.is_cancelled()) {
+    return;
+  }
+  const auto group_of = [&](const Tally& tally) -> GroupDistance& {
+    return groups[surface.group(tally.place.triangle)];
   };
-
-  constexpr std::size_t kPoints = sampling::kPointsInTally;
-  const std::size_t points = surface.point_count();
-  std::vector<Tally> of_points((points + kPoints - 1) / kPoints);
-  sweep.ranges(of_points.size(), 128, 1, kPoints, [&](std::size_t first, std::size_t last) {
-    for (std::size_t b = first; b < last; ++b) {
-      std::uint32_t hint = 0xFFFFFFFFu;
-      Tally& tally = of_points[b];
-      for (std::size_t v = b * kPoints; v < std::min(points, (b + 1) * kPoints); ++v) {
-        const NearestSurface there = other.nearest(surface.vertex(v), hint);
-        hint = there.triangle;
-        found_vertex(v, there);
-        if (there.distance > tally.greatest) {
-          tally.greatest = there.distance;
-          tally.place.triangle = static_cast<std::uint32_t>(v);
-        }
-      }
-    }
-  });
-
-  constexpr std::size_t kTriangles = sampling::kTrianglesInTally;
-  const std::size_t triangles = surface.triangle_count();
-  std::vector<Tally> tallies((triangles + kTriangles - 1) / kTriangles);
-  sweep.ranges(tallies.size(), 64, 1, kTriangles, [&](std::size_t first, std::size_t last) {
-    for (std::size_t b = first; b < last; ++b) {
-      std::uint32_t hint = 0xFFFFFFFFu;
-      Tally& tally = tallies[b];
-      const std::size_t end = std::min(triangles, (b + 1) * kTriangles);
-      for (auto t = static_cast<std::uint32_t>(b * kTriangles); t < end; ++t) {
-        const double area = surface.area(t);
-        tally.area += area;
-        sampling::for_each_point(surface.parts(t), [&](const glm::dvec3& weights, double share) {
-          const NearestSurface there = other.nearest(surface.point(t, weights), hint);
-          hint = there.triangle;
-          found(t, there);
-          tally.squares += area * share * there.distance * there.distance;
-          ++tally.samples;
-          if (there.distance > tally.greatest) {
-            tally.greatest = there.distance;
-            tally.place = {t, weights};
-          }
-        });
-      }
-    }
-  });
-  if (sweep.is_cancelled() || tallies.empty()) {
-    return {};
-  }
-
-  double squares = 0.0;
   for (const Tally& tally : tallies) {
-    squares += tally.squares;
-    result.area += tally.area;
-    result.samples += tally.samples;
+    GroupDistance& group = group_of(tally);
+    group.squares += tally.squares;
+    group.area += tally.area;
+    group.samples += tally.samples;
+    group.greatest = std::max(group.greatest, tally.greatest);
   }
-  result.samples += points;
-  result.root_mean_square = result.area > 0.0 ? std::sqrt(squares / result.area) : 0.0;
 
-  // The highest samples first; where they are equally high, in the order of the triangles.
+  // The highest samples are followed up, and of the others those that are a group's: in the order
+  // of the triangles where they are equally high.
   constexpr std::size_t kPeaks = 64;
-  const auto by_height = [](const Tally& a, const Tally& b) { return a.greatest > b.greatest; };
-  const Tally& highest_point = *std::min_element(of_points.begin(), of_points.end(), by_height);
-  const glm::dvec3 farthest = surface.vertex(highest_point.place.triangle);
-  take_greatest(farthest, other.nearest(farthest, 0xFFFFFFFFu));
-  std::stable_sort(tallies.begin(), tallies.end(), by_height);
-  tallies.resize(std::min(tallies.size(), kPeaks));
+  std::erase_if(tallies, [&](const Tally& tally) {
+    return groups.size() > 1 && tally.greatest < group_of(tally).greatest;
+  });
+  std::stable_sort(tallies.begin(), tallies.end(),
+                   [](const Tally& a, const Tally& b) { return a.greatest > b.greatest; });
+  if (groups.size() == 1) {
+    tallies.resize(std::min(tallies.size(), kPeaks));
+  }
+  for (const Tally& tally : tallies) {
+    group_of(tally).greatest = -1.0;
+  }
   std::vector<NearestSurface> peaks(tallies.size());
-  std::vector<glm::dvec3> tops(tallies.size());
-  sweep.ranges(tallies.size(), 16, 1, 1, [&](std::size_t first, std::size_t last) {
+  sweep.ranges(tallies.size(), 256, 1, 32, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Tally& tally = tallies[i];
-      const double step = 0.5 / static_cast<double>(surface.parts(tally.place.triangle));
-      const SurfacePlace top = sampling::climb(surface, other, tally.place, tally.greatest, step);
-      tops[i] = surface.point(top.triangle, top.weights);
-      peaks[i] = other.nearest(tops[i], 0xFFFFFFFFu);
-      found(top.triangle, peaks[i]);
+      Tally& tally = tallies[i];
+      if (i < kPeaks) {
+        const double step = 0.5 / static_cast<double>(surface.parts(tally.place.triangle));
+        tally.place = sampling::climb(surface, other, tally.place, tally.greatest, step);
+      }
+      peaks[i] =
+          other.nearest(surface.point(tally.place.triangle, tally.place.weights), 0xFFFFFFFFu);
+      found(tally.place.triangle, peaks[i].distance, peaks[i].triangle);
     }
   });
-  for (std::size_t i = 0; i < peaks.size(); ++i) {
-    take_greatest(tops[i], peaks[i]);
+  for (std::size_t i = 0; i < tallies.size() && !sweep.is_cancelled(); ++i) {
+    GroupDistance& group = group_of(tallies[i]);
+    if (peaks[i].distance > group.greatest) {
+      group.greatest = peaks[i].distance;
+      group.from = surface.point(tallies[i].place.triangle, tallies[i].place.weights);
+      group.to = peaks[i].point;
+    }
   }
+}
+
+/// What the groups come to.
+[[nodiscard]] inline DirectedDistance directed_distance(std::span<const GroupDistance> groups) {
+  DirectedDistance result;
+  double squares = 0.0;
+  for (const GroupDistance& group : groups) {
+    squares += group.squares;
+    result.area += group.area;
+    result.samples += group.samples;
+    if (group.greatest > result.greatest) {
+      result.greatest = group.greatest;
+      result.from = group.from;
+      result.to = group.to;
+    }
+  }
+  result.root_mean_square = result.area > 0.0 ? std::sqrt(squares / result.area) : 0.0;
   return result;
 }
 

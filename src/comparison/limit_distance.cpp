@@ -1,27 +1,20 @@
 // The engine that refines a mesh knows the limit surface: with all labels raised by some levels and
 // its vertices put on the limit it gives points and normals of it where the mesh is, and as much
-// finer. Either surface is then sampled against the other, with more levels from round to round.
-//
-// Between its vertices the limit surface is the linear triangle x, moved half way to the mean of
-// its projections on the corners' tangent planes. That is exact for surfaces of second order:
-//
-//   x = sum w_i x_i,   s(x) = x + 1/2 sum w_i ((x_i - x) . n_i) n_i
+// finer. Either surface is then sampled against the other: twice everywhere, and from then on
+// a level finer each time in the control faces alone that the figures still depend on.
 #include "limn/comparison/limit_distance.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
-#include "comparison/cut_surface.h"
 #include "comparison/directed_sampling.h"
-#include "comparison/triangle_tree.h"
+#include "comparison/limit_surface.h"
 #include "limn/contract.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "subdivision/sweep.h"
@@ -34,9 +27,7 @@ constexpr int kHighestLabel = kMaxDepth + 1;
 /// Of the diagonal: what is left of positions in single precision.
 constexpr double kNothing = 2e-7;
 /// Small meshes are looked at no less closely than this.
-constexpr std::uint64_t kFewestFaces = 4'000;
-
-using Corners = std::array<std::uint32_t, 3>;
+constexpr std::uint64_t kFewestFaces = 1'000;
 
 /// Part of a progress, for what reports from 0 to 1 itself.
 class PartOfMeasuring final : public Progress {
@@ -52,117 +43,6 @@ class PartOfMeasuring final : public Progress {
   double to_;
 };
 
-double area_of(const CutSurface<float>& cut, std::uint32_t t) {
-  const Corners& corners = cut.triangles[t];
-  const glm::dvec3 a(cut.points[corners[0]]);
-  return 0.5 * glm::length(glm::cross(glm::dvec3(cut.points[corners[1]]) - a,
-                                      glm::dvec3(cut.points[corners[2]]) - a));
-}
-
-glm::dvec3 linear_point(const CutSurface<float>& cut, std::uint32_t t, const glm::dvec3& weights) {
-  const Corners& corners = cut.triangles[t];
-  return weights.x * glm::dvec3(cut.points[corners[0]]) +
-         weights.y * glm::dvec3(cut.points[corners[1]]) +
-         weights.z * glm::dvec3(cut.points[corners[2]]);
-}
-
-/// The nearest point of the triangles alone.
-NearestPoint nearest_triangle(const CutSurface<float>& cut, const TriangleTree<float>& tree,
-                              const glm::dvec3& p, std::uint32_t hint) {
-  NearestPoint nearest;
-  if (hint < cut.triangles.size()) {
-    const Corners& corners = cut.triangles[hint];
-    nearest.weights =
-        nearest_weights(p, glm::dvec3(cut.points[corners[0]]), glm::dvec3(cut.points[corners[1]]),
-                        glm::dvec3(cut.points[corners[2]]));
-    nearest.triangle = hint;
-    const glm::dvec3 offset = linear_point(cut, hint, nearest.weights) - p;
-    nearest.square = glm::dot(offset, offset);
-  }
-  tree.find_nearest(p, nearest);
-  return nearest;
-}
-
-/// The refined mesh. Coordinates are relative to RefinedMesh::origin, here and below.
-class MeasuredMesh {
- public:
-  MeasuredMesh(const RefinedMesh& mesh, Sweep& sweep) : cut_(cut_surface(mesh, sweep)) {
-    tree_.build(cut_.points, cut_.triangles, sweep);
-  }
-
-  void set_parts(std::uint32_t parts) noexcept { parts_ = parts; }
-  [[nodiscard]] const CutSurface<float>& cut() const noexcept { return cut_; }
-
-  [[nodiscard]] std::size_t point_count() const noexcept { return cut_.points.size(); }
-  [[nodiscard]] std::size_t triangle_count() const noexcept { return cut_.triangles.size(); }
-  [[nodiscard]] glm::dvec3 vertex(std::size_t v) const noexcept {
-    return glm::dvec3(cut_.points[v]);
-  }
-  [[nodiscard]] glm::dvec3 point(std::uint32_t t, const glm::dvec3& weights) const noexcept {
-    return linear_point(cut_, t, weights);
-  }
-  [[nodiscard]] double area(std::uint32_t t) const noexcept { return area_of(cut_, t); }
-  [[nodiscard]] std::uint32_t parts(std::uint32_t) const noexcept { return parts_; }
-  [[nodiscard]] NearestSurface nearest(const glm::dvec3& p, std::uint32_t hint) const {
-    const NearestPoint nearest = nearest_triangle(cut_, tree_, p, hint);
-    return {std::sqrt(nearest.square), linear_point(cut_, nearest.triangle, nearest.weights),
-            nearest.triangle};
-  }
-
- private:
-  CutSurface<float> cut_;
-  TriangleTree<float> tree_;
-  std::uint32_t parts_ = 1;
-};
-
-/// The limit surface.
-class LimitSurface {
- public:
-  /// `points`: a refinement at SurfacePoints::kLimit, with normals.
-  LimitSurface(RefinedMesh points, Sweep& sweep)
-      : cut_(cut_surface(points, sweep)), normals_(std::move(points.normals)) {
-    // A crease has two normals, a corner many, the centre of a polygon an unknown one.
-    normals_.resize(cut_.points.size(), glm::vec3(0.0f));
-    for (const RefinedCrease& crease : points.creases) {
-      normals_[crease.vertices[0]] = glm::vec3(0.0f);
-      normals_[crease.vertices[1]] = glm::vec3(0.0f);
-    }
-    for (const RefinedCorner& corner : points.corners) {
-      normals_[corner.vertex] = glm::vec3(0.0f);
-    }
-    tree_.build(cut_.points, cut_.triangles, sweep);
-  }
-
-  [[nodiscard]] std::size_t point_count() const noexcept { return cut_.points.size(); }
-  [[nodiscard]] std::size_t triangle_count() const noexcept { return cut_.triangles.size(); }
-  [[nodiscard]] glm::dvec3 vertex(std::size_t v) const noexcept {
-    return glm::dvec3(cut_.points[v]);
-  }
-  [[nodiscard]] glm::dvec3 point(std::uint32_t t, const glm::dvec3& weights) const noexcept {
-    const Corners& corners = cut_.triangles[t];
-    const glm::dvec3 linear = linear_point(cut_, t, weights);
-    glm::dvec3 moved = linear;
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t v = corners[static_cast<std::size_t>(i)];
-      const glm::dvec3 normal(normals_[v]);
-      moved += 0.5 * weights[i] * glm::dot(glm::dvec3(cut_.points[v]) - linear, normal) * normal;
-    }
-    return moved;
-  }
-  [[nodiscard]] double area(std::uint32_t t) const noexcept { return area_of(cut_, t); }
-  [[nodiscard]] std::uint32_t parts(std::uint32_t) const noexcept { return 1; }
-  [[nodiscard]] NearestSurface nearest(const glm::dvec3& p, std::uint32_t hint) const {
-    const NearestPoint nearest = nearest_triangle(cut_, tree_, p, hint);
-    const glm::dvec3 there = point(nearest.triangle, nearest.weights);
-    return {glm::distance(p, there), there, nearest.triangle};
-  }
-
- private:
-  CutSurface<float> cut_;
-  LargeArray<glm::vec3> normals_;
-  TriangleTree<float> tree_;
-};
-
 /// Distances of faces, raised by several threads.
 void raise(float& value, double to) {
   std::atomic_ref<float> shared(value);
@@ -173,43 +53,256 @@ void raise(float& value, double to) {
   }
 }
 
-VertexLabels raised(const VertexLabels& labels, int levels) {
-  VertexLabels result(labels.size());
-  std::ranges::transform(labels, result.begin(), [levels](std::uint8_t label) {
-    return static_cast<std::uint8_t>(std::min(label + levels, kHighestLabel));
-  });
-  return result;
-}
+/// The figures of both directions.
+struct Figures {
+  DirectedDistance to_limit;
+  DirectedDistance from_limit;
+};
 
-LimitDistance measure(const MeasuredMesh& mesh, const LimitSurface& limit, std::size_t faces,
-                      Sweep& sweep) {
-  LimitDistance result;
-  result.of_faces.assign(faces, 0.0f);
-  const CutSurface<float>& cut = mesh.cut();
-  LargeArray<float> of_vertices(mesh.point_count());
-  result.to_limit = measure_directed(
-      mesh, limit,
-      [&](std::size_t v, const NearestSurface& there) {
-        of_vertices[v] = static_cast<float>(there.distance);
-      },
-      [&](std::uint32_t t, const NearestSurface& there) {
-        raise(result.of_faces[cut.faces[t]], there.distance);
-      },
-      sweep);
-  sweep.each(cut.triangles.size(), [&](std::size_t t) {
-    for (const std::uint32_t v : cut.triangles[t]) {
-      raise(result.of_faces[cut.faces[t]], of_vertices[v]);
+/// What is known of the control faces, and how it came about.
+class Measurement {
+ public:
+  Measurement(const ControlMesh& mesh, const VertexLabels& labels,
+              const SubdivisionSettings& settings, const RefinedMesh& refined, Progress& progress,
+              Sweep& sweep)
+      : mesh_(&mesh),
+        labels_(&labels),
+        settings_(settings),
+        progress_(&progress),
+        sweep_(&sweep),
+        measured_(refined, sweep),
+        of_faces_(refined.face_count(), 0.0f),
+        to_limit_(mesh.face_count()),
+        from_limit_(mesh.face_count()) {
+    settings_.points = SurfacePoints::kLimit;
+  }
+
+  /// Looks at the control faces that have `levels` above 0, that many less one above their labels;
+  /// at the others it takes the limit surface at `rest` levels. The progress runs between the
+  /// fractions.
+  [[nodiscard]] Result<void> look(std::span<const std::uint8_t> levels, int rest, double from,
+                                  double to);
+
+  [[nodiscard]] Figures figures() const {
+    return {directed_distance(to_limit_), directed_distance(from_limit_)};
+  }
+  [[nodiscard]] std::span<const GroupDistance> to_limit() const noexcept { return to_limit_; }
+  [[nodiscard]] std::span<const GroupDistance> from_limit() const noexcept { return from_limit_; }
+  [[nodiscard]] LargeArray<float>& of_faces() noexcept { return of_faces_; }
+
+ private:
+  [[nodiscard]] Result<VertexLabels> raised(std::span<const std::uint8_t> levels, int rest) const;
+
+  const ControlMesh* mesh_;
+  const VertexLabels* labels_;
+  SubdivisionSettings settings_;
+  Progress* progress_;
+  Sweep* sweep_;
+  MeasuredMesh measured_;
+  LargeArray<float> of_faces_;
+  std::vector<GroupDistance> to_limit_;
+  std::vector<GroupDistance> from_limit_;
+};
+
+Result<VertexLabels> Measurement::raised(std::span<const std::uint8_t> levels, int rest) const {
+  const FlatTopology& topology = mesh_->topology();
+  VertexLabels result(labels_->size());
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    int more = rest;
+    for (std::uint32_t i = topology.vertex_offsets[v]; i < topology.vertex_offsets[v + 1]; ++i) {
+      more = std::max(more, levels[topology.corner_faces[topology.vertex_corners[i]]] - 1);
     }
-  });
-  const auto raise_nearest = [&](std::size_t, const NearestSurface& there) {
-    raise(result.of_faces[cut.faces[there.triangle]], there.distance);
-  };
-  result.from_limit = measure_directed(limit, mesh, raise_nearest, raise_nearest, sweep);
-  return result;
+    result[v] = static_cast<std::uint8_t>(std::min((*labels_)[v] + more, kHighestLabel));
+  }
+  if (rest > 0) {
+    return result;  // No label is 0, and so none is illegal.
+  }
+  IgnoreProgress nobody;
+  return legalise_look_ahead(
+             *mesh_, apply_non_quad_rule(*mesh_, std::move(result), NonQuadRule::kWherePainted),
+             NonQuadRule::kWherePainted, nobody)
+      .map([](Legalisation&& legal) { return std::move(legal.labels); });
 }
 
-tl::unexpected<Error> cancelled() {
-  return fail(ErrorKind::kCancelled, "Measuring was cancelled.");
+Result<void> Measurement::look(std::span<const std::uint8_t> levels, int rest, double from,
+                               double to) {
+  const Result<VertexLabels> labels = raised(levels, rest);
+  if (!labels) {
+    return tl::unexpected(labels.error());
+  }
+  const double refined = from + 0.1 * (to - from);
+  PartOfMeasuring part(*progress_, from, refined);
+  Result<RefinedMesh> points = refine(*mesh_, *labels, settings_, {.normals = true}, part);
+  if (!points) {
+    return tl::unexpected(std::move(points.error()));
+  }
+  std::vector<std::uint32_t> parts(levels.size());
+  std::vector<bool> is_looked_at(levels.size());
+  for (std::size_t f = 0; f < levels.size(); ++f) {
+    parts[f] = levels[f] > 0 ? 1u << (levels[f] - 1) : 0;
+    is_looked_at[f] = levels[f] > 0;
+    if (is_looked_at[f]) {
+      to_limit_[f] = {};
+      from_limit_[f] = {};
+    }
+  }
+  sweep_->begin_stage("Measuring", refined, to, 40 * points->face_count());
+  const LimitSurface limit(std::move(*points), std::move(is_looked_at), *sweep_);
+  measured_.set_parts(std::move(parts));
+  if (!sweep_->is_cancelled()) {
+    measure_directed(
+        measured_, limit,
+        [this](std::uint32_t t, double distance, std::uint32_t) {
+          raise(of_faces_[measured_.face(t)], distance);
+        },
+        to_limit_, *sweep_);
+    measure_directed(
+        limit, measured_,
+        [this](std::uint32_t, double distance, std::uint32_t nearest) {
+          raise(of_faces_[measured_.face(nearest)], distance);
+        },
+        from_limit_, *sweep_);
+  }
+  if (sweep_->is_cancelled()) {
+    return fail(ErrorKind::kCancelled, "Measuring was cancelled.");
+  }
+  return {};
+}
+
+double greatest_in(std::span<const GroupDistance> groups) {
+  double greatest = 0.0;
+  for (const GroupDistance& group : groups) {
+    greatest = std::max(greatest, group.greatest);
+  }
+  return greatest;
+}
+
+/// Marks the control faces that have much of the greatest distance, if that changed.
+void mark_peaks(std::span<const GroupDistance> before, std::span<const GroupDistance> now,
+                double change, std::vector<bool>& is_marked) {
+  constexpr double kNear = 0.95;
+  const double greatest = greatest_in(now);
+  if (std::abs(greatest - greatest_in(before)) <= change * greatest) {
+    return;
+  }
+  for (std::size_t f = 0; f < now.size(); ++f) {
+    is_marked[f] = is_marked[f] || now[f].greatest >= kNear * greatest;
+  }
+}
+
+/// Marks the control faces whose squares changed most, until those of all others together changed
+/// by no more than a quarter of what is allowed.
+void mark_changes(std::span<const GroupDistance> before, std::span<const GroupDistance> now,
+                  double change, std::vector<bool>& is_marked) {
+  std::vector<std::pair<double, std::uint32_t>> changes;
+  double sum = 0.0;
+  double squares_before = 0.0;
+  double squares = 0.0;
+  for (std::uint32_t f = 0; f < now.size(); ++f) {
+    changes.emplace_back(std::abs(now[f].squares - before[f].squares), f);
+    sum += changes.back().first;
+    squares_before += before[f].squares;
+    squares += now[f].squares;
+  }
+  // Squares change by twice as much as their root. What was not looked at again did not change.
+  if (std::abs(squares_before - squares) <= 2.0 * change * squares) {
+    return;
+  }
+  std::ranges::sort(changes, std::greater<>());
+  for (const auto& [of_face, f] : changes) {
+    if (sum <= 0.25 * 2.0 * change * squares) {
+      return;
+    }
+    sum -= of_face;
+    is_marked[f] = true;
+  }
+}
+
+/// Which control faces are looked at next, and how closely.
+class Rounds {
+ public:
+  /// At first all, at `rest` levels.
+  Rounds(Measurement& measurement, int rest)
+      : measurement_(&measurement),
+        rest_(rest),
+        levels_(measurement.to_limit().size(), static_cast<std::uint8_t>(rest + 1)),
+        is_next_(levels_.size(), true) {}
+
+  /// Looks at the next ones, in pieces that take no more memory than the mesh itself or a few
+  /// hundred megabytes; after this they are a level further.
+  [[nodiscard]] Result<void> look(double from, double to);
+  /// After all have been looked at twice: those that figures depend on which have not settled.
+  void choose(double change);
+  [[nodiscard]] bool can_go_on() const {
+    for (std::size_t f = 0; f < levels_.size(); ++f) {
+      if (is_next_[f] && levels_[f] > kHighestLabel) {
+        return false;
+      }
+    }
+    return true;
+  }
+  /// As far as can be told from the last.
+  [[nodiscard]] std::size_t next_samples() const {
+    std::size_t samples = 0;
+    for (std::size_t f = 0; f < levels_.size(); ++f) {
+      samples += is_next_[f] ? samples_of(f) : 0;
+    }
+    return samples;
+  }
+
+ private:
+  [[nodiscard]] std::size_t samples_of(std::size_t f) const {
+    return 4 * (measurement_->to_limit()[f].samples + measurement_->from_limit()[f].samples);
+  }
+
+  Measurement* measurement_;
+  int rest_;
+  std::vector<std::uint8_t> levels_;
+  std::vector<bool> is_next_;
+  std::vector<GroupDistance> to_before_;
+  std::vector<GroupDistance> from_before_;
+  int round_ = 0;
+};
+
+Result<void> Rounds::look(double from, double to) {
+  constexpr std::size_t kSamplesInPiece = std::size_t{1} << 26;
+  to_before_.assign(measurement_->to_limit().begin(), measurement_->to_limit().end());
+  from_before_.assign(measurement_->from_limit().begin(), measurement_->from_limit().end());
+  if (round_++ == 1) {
+    std::ranges::fill(measurement_->of_faces(), 0.0f);
+  }
+  const std::size_t all = next_samples();
+  const std::size_t pieces = all / kSamplesInPiece + 1;
+  std::size_t f = 0;
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    std::vector<std::uint8_t> looked(levels_.size(), 0);
+    std::size_t samples = 0;
+    bool has_any = false;
+    for (; f < levels_.size() && (samples <= all / pieces || piece + 1 == pieces); ++f) {
+      if (is_next_[f]) {
+        looked[f] = levels_[f]++;
+        samples += samples_of(f);
+        has_any = true;
+      }
+    }
+    if (!has_any) {
+      continue;
+    }
+    const double part = (to - from) / static_cast<double>(pieces);
+    const double begin = from + part * static_cast<double>(piece);
+    if (auto seen = measurement_->look(looked, rest_, begin, begin + part); !seen) {
+      return seen;
+    }
+  }
+  return {};
+}
+
+void Rounds::choose(double change) {
+  is_next_.assign(is_next_.size(), false);
+  mark_peaks(to_before_, measurement_->to_limit(), change, is_next_);
+  mark_peaks(from_before_, measurement_->from_limit(), change, is_next_);
+  mark_changes(to_before_, measurement_->to_limit(), change, is_next_);
+  mark_changes(from_before_, measurement_->from_limit(), change, is_next_);
 }
 
 }  // namespace
@@ -226,47 +319,44 @@ Result<LimitDistance> measure_limit_distance(const ControlMesh& mesh, const Vert
   std::vector<std::uint64_t> scratch;
   Sweep sweep(progress, scratch);
   sweep.begin_stage("Sorting triangles", 0.0, 0.05, 30 * refined.face_count());
-  MeasuredMesh measured(refined, sweep);
+  Measurement measurement(mesh, labels, settings, refined, progress, sweep);
 
-  SubdivisionSettings at_limit = settings;
-  at_limit.points = SurfacePoints::kLimit;
   const double nothing = kNothing * mesh.bounds().diagonal();
+  int rest = refined.polygon_count() > 0 ? 1 : 0;
+  while ((refined.face_count() << (2 * rest)) < kFewestFaces) {
+    ++rest;
+  }
+  Rounds rounds(measurement, rest);
   LimitDistance result;
   double done = 0.05;
-  int levels = refined.polygon_count() > 0 ? 1 : 0;
-  while ((refined.face_count() << (2 * levels)) < kFewestFaces) {
-    ++levels;
-  }
-  for (int round = 0; levels < kHighestLabel; ++round, ++levels) {
-    const VertexLabels finer = raised(labels, levels);
-    // Six samples in each of two triangles, and a vertex, on either side.
-    const std::uint64_t samples = 26 * predict_refinement(mesh, finer).faces;
-    if (round > 1 && samples > limits.samples) {
-      break;
+  for (int round = 0;; ++round) {
+    const double until = done + (round < 2 ? 0.4 : 0.5 * (1.0 - done));
+    if (const Result<void> seen = rounds.look(done, until); !seen) {
+      return tl::unexpected(seen.error());
     }
-    const double until = done + 0.5 * (1.0 - done);
-    const double refining = done + 0.1 * (until - done);
-    PartOfMeasuring part(progress, done, refining);
-    Result<RefinedMesh> points = refine(mesh, finer, at_limit, {.normals = true}, part);
-    if (!points) {
-      return tl::unexpected(std::move(points.error()));
-    }
-    LIMN_EXPECTS(points->origin == refined.origin);
-    sweep.begin_stage("Measuring", refining, until, 2 * samples);
     done = until;
-    const LimitSurface limit(std::move(*points), sweep);
-    measured.set_parts(1u << levels);
-    LimitDistance now = measure(measured, limit, refined.face_count(), sweep);
-    if (sweep.is_cancelled()) {
-      return cancelled();
-    }
-    now.is_settled = round > 0 &&
-                     has_settled(result.to_limit, now.to_limit, limits.change, nothing) &&
-                     has_settled(result.from_limit, now.from_limit, limits.change, nothing);
-    result = std::move(now);
+    const Figures now = measurement.figures();
+    const bool is_to_settled = has_settled(result.to_limit, now.to_limit, limits.change, nothing);
+    const bool is_from_settled =
+        has_settled(result.from_limit, now.from_limit, limits.change, nothing);
+    result.to_limit = now.to_limit;
+    result.from_limit = now.from_limit;
+    result.is_settled = round > 0 && is_to_settled && is_from_settled;
     if (result.is_settled) {
       break;
     }
+    if (round > 0) {
+      rounds.choose(limits.change);
+    }
+    if (!rounds.can_go_on() || (round > 0 && rounds.next_samples() > limits.samples)) {
+      break;
+    }
+  }
+  result.of_faces = std::move(measurement.of_faces());
+  const auto greatest = static_cast<float>(result.greatest());
+  for (float& of_face : result.of_faces) {
+    of_face =
+        std::min(of_face, greatest);  // What a face that was looked at more closely had before.
   }
   for (DirectedDistance* directed : {&result.to_limit, &result.from_limit}) {
     directed->from += refined.origin;

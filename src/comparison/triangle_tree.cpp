@@ -19,12 +19,30 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kLeafSize = 4;
-constexpr int kMostLevels = 32;
+constexpr int kMostLevels = 16;  ///< 4^16 leaves are more than there can be triangles.
+/// Of the farthest coordinate: what rounding to float does to a box and to a point near it, twice
+/// over; and of the square of a distance, what it does to the rest.
+constexpr float kSlack = 4e-7f;
+constexpr double kCertain = 1.0 + 1e-5;
+
+struct Box {
+  glm::vec3 low{std::numeric_limits<float>::max()};
+  glm::vec3 high{std::numeric_limits<float>::lowest()};
+};
 
 struct Middle {
   glm::vec3 point;
   std::uint32_t number;
 };
+
+FourFloats all_of(float value) {
+  return FourFloats{value, value, value, value};
+}
+
+/// Boxes whose square of the distance is not below this have nothing nearer.
+float bound_of(const NearestPoint& best) {
+  return static_cast<float>(best.square * kCertain);
+}
 
 std::size_t longest_axis(std::span<const Middle> middles) {
   glm::vec3 low = middles.front().point;
@@ -124,76 +142,120 @@ glm::dvec3 nearest_weights(const glm::dvec3& p, const glm::dvec3& a, const glm::
 }
 
 template <class Scalar>
-void TriangleTree<Scalar>::build(std::span<const Vector> points,
-                                 std::span<const Triangle> triangles, Sweep& sweep) {
+void TriangleTree<Scalar>::sort(std::span<const Vector> points, std::span<const Triangle> triangles,
+                                Sweep& sweep) {
   const std::size_t n = triangles.size();
-  LIMN_EXPECTS(n < 0xFFFFFFFFu);
-  depth_ = 0;
-  while ((n >> depth_) > kLeafSize) {
-    ++depth_;
-  }
-  corners_.resize(n);
-  numbers_.resize(n);
-  boxes_.resize((std::size_t{2} << depth_) - 1);
-
-  // Middles are rounded to float about a point of their own: how far that is off matters little.
+  // Middles are rounded to float: how far that puts them off matters little.
   LargeArray<Middle> middles(n);
-  const glm::dvec3 origin = n > 0 ? glm::dvec3(points[triangles[0][0]]) : glm::dvec3(0.0);
   sweep.each(n, [&](std::size_t i) {
     const Triangle& t = triangles[i];
     const glm::dvec3 sum =
         glm::dvec3(points[t[0]]) + glm::dvec3(points[t[1]]) + glm::dvec3(points[t[2]]);
-    middles[i] = {glm::vec3(sum / 3.0 - origin), static_cast<std::uint32_t>(i)};
+    middles[i] = {glm::vec3(sum / 3.0 - origin_), static_cast<std::uint32_t>(i)};
   });
-  for (int level = 0; level < depth_; ++level) {
-    const std::size_t count = std::size_t{1} << level;
+  for (int halvings = 0; halvings < 2 * levels_; ++halvings) {
+    const std::size_t count = std::size_t{1} << halvings;
     const std::size_t grain = std::max<std::size_t>(1, count >> 7);
     sweep.ranges(count, std::max<std::size_t>(grain, count >> 4), grain, n / count,
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t i = first; i < last; ++i) {
-                     const std::size_t begin = begin_of(level, i);
-                     const std::size_t end = begin_of(level, i + 1);
+                     const std::size_t begin = begin_of(halvings, i);
+                     const std::size_t end = begin_of(halvings, i + 1);
                      halve(std::span(middles).subspan(begin, end - begin),
-                           begin_of(level + 1, 2 * i + 1) - begin);
+                           begin_of(halvings + 1, 2 * i + 1) - begin);
                    }
                  });
   }
-  const std::size_t leaves = std::size_t{1} << depth_;
+  sweep.each(n, [&](std::size_t i) {
+    numbers_[i] = middles[i].number;
+    const Triangle& t = triangles[numbers_[i]];
+    corners_[i] = {points[t[0]], points[t[1]], points[t[2]]};
+  });
+}
+
+template <class Scalar>
+void TriangleTree<Scalar>::make_boxes(Sweep& sweep) {
+  const std::size_t leaves = std::size_t{1} << (2 * levels_);
+  LargeArray<Box> boxes(leaves);
   sweep.each(leaves, [&](std::size_t leaf) {
-    Box box{Vector(std::numeric_limits<Scalar>::max()),
-            Vector(std::numeric_limits<Scalar>::lowest())};
-    for (std::size_t i = begin_of(depth_, leaf); i < begin_of(depth_, leaf + 1); ++i) {
-      numbers_[i] = middles[i].number;
-      const Triangle& t = triangles[numbers_[i]];
-      corners_[i] = {points[t[0]], points[t[1]], points[t[2]]};
+    Box box;
+    for (std::size_t i = begin_of(2 * levels_, leaf); i < begin_of(2 * levels_, leaf + 1); ++i) {
       for (const Vector& corner : corners_[i]) {
-        box.low = glm::min(box.low, corner);
-        box.high = glm::max(box.high, corner);
+        const glm::vec3 local(glm::dvec3(corner) - origin_);
+        box.low = glm::min(box.low, local);
+        box.high = glm::max(box.high, local);
       }
     }
-    boxes_[leaves - 1 + leaf] = box;
+    boxes[leaf] = box;
   });
-  for (std::size_t i = leaves - 1; i-- > 0 && !sweep.is_cancelled();) {
-    const Box& one = boxes_[2 * i + 1];
-    const Box& other = boxes_[2 * i + 2];
-    boxes_[i] = {glm::min(one.low, other.low), glm::max(one.high, other.high)};
+  float reach = 0.0f;
+  for (const Box& box : boxes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      reach = std::max({reach, -box.low[axis], box.high[axis]});
+    }
+  }
+  const float slack = kSlack * reach;
+  std::size_t first = parts_.size();
+  for (std::size_t count = leaves / 4; count > 0 && !sweep.is_cancelled(); count /= 4) {
+    first -= count;
+    for (std::size_t i = 0; i < count; ++i) {
+      Parts& parts = parts_[first + i];
+      Box whole;
+      for (std::size_t part = 0; part < 4; ++part) {
+        const Box& box = boxes[4 * i + part];
+        whole.low = glm::min(whole.low, box.low);
+        whole.high = glm::max(whole.high, box.high);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          parts.low[axis][part] = box.low[static_cast<int>(axis)] - slack;
+          parts.high[axis][part] = box.high[static_cast<int>(axis)] + slack;
+        }
+      }
+      boxes[i] = whole;
+    }
   }
 }
 
 template <class Scalar>
-double TriangleTree<Scalar>::square_to(const Box& box, const glm::dvec3& p) noexcept {
-  const glm::dvec3 beyond =
-      glm::max(glm::max(glm::dvec3(box.low) - p, p - glm::dvec3(box.high)), glm::dvec3(0.0));
-  return glm::dot(beyond, beyond);
+void TriangleTree<Scalar>::build(std::span<const Vector> points,
+                                 std::span<const Triangle> triangles, Sweep& sweep) {
+  const std::size_t n = triangles.size();
+  LIMN_EXPECTS(n < 0xFFFFFFFFu);
+  levels_ = 0;
+  while ((n >> (2 * levels_)) > kLeafSize) {
+    ++levels_;
+  }
+  corners_.resize(n);
+  numbers_.resize(n);
+  parts_.resize(((std::size_t{1} << (2 * levels_)) - 1) / 3);
+  if (n == 0) {
+    return;
+  }
+  glm::dvec3 low(points[triangles[0][0]]);
+  glm::dvec3 high = low;
+  for (const Vector& point : points) {
+    low = glm::min(low, glm::dvec3(point));
+    high = glm::max(high, glm::dvec3(point));
+  }
+  origin_ = 0.5 * (low + high);
+  sort(points, triangles, sweep);
+  if (!sweep.is_cancelled()) {
+    make_boxes(sweep);
+  }
 }
 
+/// Most triangles are farther away than the best by their planes alone.
 template <class Scalar>
 void TriangleTree<Scalar>::look_in_leaf(std::size_t leaf, const glm::dvec3& p,
                                         NearestPoint& best) const {
-  for (std::size_t i = begin_of(depth_, leaf); i < begin_of(depth_, leaf + 1); ++i) {
+  for (std::size_t i = begin_of(2 * levels_, leaf); i < begin_of(2 * levels_, leaf + 1); ++i) {
     const glm::dvec3 a(corners_[i][0]);
     const glm::dvec3 b(corners_[i][1]);
     const glm::dvec3 c(corners_[i][2]);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double height = glm::dot(normal, p - a);
+    if (height * height >= best.square * glm::dot(normal, normal) && height != 0.0) {
+      continue;
+    }
     const glm::dvec3 weights = nearest_weights(p, a, b, c);
     const glm::dvec3 offset = weights.x * a + weights.y * b + weights.z * c - p;
     if (const double square = glm::dot(offset, offset); square < best.square) {
@@ -203,40 +265,59 @@ void TriangleTree<Scalar>::look_in_leaf(std::size_t leaf, const glm::dvec3& p,
 }
 
 template <class Scalar>
+FourFloats TriangleTree<Scalar>::squares_to(const Parts& parts,
+                                            const std::array<FourFloats, 3>& at) noexcept {
+  FourFloats squares{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const FourFloats below = parts.low[axis] - at[axis];
+    const FourFloats above = at[axis] - parts.high[axis];
+    const FourFloats farther = below > above ? below : above;
+    const FourFloats beyond = farther > 0.0f ? farther : FourFloats{};
+    squares += beyond * beyond;
+  }
+  return squares;
+}
+
+template <class Scalar>
 void TriangleTree<Scalar>::find_nearest(const glm::dvec3& p, NearestPoint& best) const {
   struct Waiting {
-    double square;
-    std::size_t box;
+    float square;
+    std::uint32_t box;
   };
   if (corners_.empty()) {
     return;
   }
-  std::array<Waiting, kMostLevels> waiting;
-  std::size_t count = 0;
-  const std::size_t first_leaf = (std::size_t{1} << depth_) - 1;
-  Waiting next{square_to(boxes_[0], p), 0};
-  while (true) {
-    if (next.square < best.square) {
-      if (next.box >= first_leaf) {
-        look_in_leaf(next.box - first_leaf, p, best);
-      } else {
-        const std::size_t child = 2 * next.box + 1;
-        Waiting near{square_to(boxes_[child], p), child};
-        Waiting far{square_to(boxes_[child + 1], p), child + 1};
-        if (far.square < near.square) {
-          std::swap(near, far);
-        }
-        if (far.square < best.square) {
-          waiting[count++] = far;
-        }
-        next = near;
+  const auto first_leaf = static_cast<std::uint32_t>(parts_.size());
+  const glm::vec3 local(p - origin_);
+  const std::array<FourFloats, 3> at{all_of(local.x), all_of(local.y), all_of(local.z)};
+  float bound = bound_of(best);
+  std::array<Waiting, 3 * kMostLevels + 1> waiting;
+  std::size_t count = 1;
+  waiting[0] = {0.0f, 0};
+  while (count > 0) {
+    const Waiting next = waiting[--count];
+    if (!(next.square < bound)) {
+      continue;
+    }
+    if (next.box >= first_leaf) {
+      look_in_leaf(next.box - first_leaf, p, best);
+      bound = bound_of(best);
+      continue;
+    }
+    const FourFloats squares = squares_to(parts_[next.box], at);
+    // The nearest part is looked into first: it comes last.
+    const std::size_t begin = count;
+    for (std::uint32_t part = 0; part < 4; ++part) {
+      if (!(squares[part] < bound)) {
         continue;
       }
+      const Waiting candidate{squares[part], 4 * next.box + 1 + part};
+      std::size_t place = count++;
+      for (; place > begin && waiting[place - 1].square < candidate.square; --place) {
+        waiting[place] = waiting[place - 1];
+      }
+      waiting[place] = candidate;
     }
-    if (count == 0) {
-      return;
-    }
-    next = waiting[--count];
   }
 }
 

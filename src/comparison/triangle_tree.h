@@ -27,9 +27,12 @@ struct NearestPoint {
 [[nodiscard]] glm::dvec3 nearest_weights(const glm::dvec3& p, const glm::dvec3& a,
                                          const glm::dvec3& b, const glm::dvec3& c) noexcept;
 
-/// Finds the nearest of many triangles: a hierarchy of boxes that is halved until some four
-/// triangles are left, in flat arrays without pointers. 48 bytes a triangle in single precision.
-/// Scalar: float or double; distances are computed in double precision either way.
+/// Computed with at the same time.
+using FourFloats [[gnu::vector_size(16)]] = float;
+
+/// Finds the nearest of many triangles: a hierarchy of boxes, each quartered until no more than
+/// four triangles are left, in flat arrays without pointers. Some 60 bytes a triangle in single
+/// precision. Scalar: float or double; distances are computed in double precision either way.
 template <class Scalar>
 class TriangleTree {
  public:
@@ -47,19 +50,25 @@ class TriangleTree {
   [[nodiscard]] bool empty() const noexcept { return corners_.empty(); }
 
  private:
-  struct Box {
-    Vector low;
-    Vector high;
+  /// The boxes of a box's four parts, relative to `origin_` and a little too large: no rounding of
+  /// a point makes it be farther from them than it is from what is inside.
+  struct Parts {
+    std::array<FourFloats, 3> low;
+    std::array<FourFloats, 3> high;
   };
 
-  [[nodiscard]] std::size_t begin_of(int level, std::size_t i) const noexcept {
-    return (corners_.size() * i) >> level;
+  [[nodiscard]] std::size_t begin_of(int halvings, std::size_t i) const noexcept {
+    return (corners_.size() * i) >> halvings;
   }
-  [[nodiscard]] static double square_to(const Box& box, const glm::dvec3& p) noexcept;
+  [[nodiscard]] static FourFloats squares_to(const Parts& parts,
+                                             const std::array<FourFloats, 3>& at) noexcept;
+  void sort(std::span<const Vector> points, std::span<const Triangle> triangles, Sweep& sweep);
+  void make_boxes(Sweep& sweep);
   void look_in_leaf(std::size_t leaf, const glm::dvec3& p, NearestPoint& best) const;
 
-  int depth_ = 0;          ///< Leaves are the 2^depth boxes of this level.
-  LargeArray<Box> boxes_;  ///< Level by level: children of box i are 2 i + 1 and 2 i + 2.
+  int levels_ = 0;  ///< Of quartering: 4^levels leaves.
+  glm::dvec3 origin_{0.0};
+  LargeArray<Parts> parts_;  ///< Level by level: those of box i have the numbers 4 i + 1 and on.
   LargeArray<std::array<Vector, 3>> corners_;  ///< Leaf by leaf.
   LargeArray<std::uint32_t> numbers_;          ///< Of the triangles, in the order of corners_.
 };
