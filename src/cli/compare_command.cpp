@@ -13,7 +13,7 @@
 #include <CLI/Validators.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands.h"
+#include "cli/compare.h"
 #include "cli/console.h"
 #include "cli/input.h"
 #include "cli/scheme_options.h"
@@ -165,6 +165,8 @@ Result<void> compare_meshes(const CompareOptions& options) {
   return {};
 }
 
+}  // namespace
+
 void add_sphere_command(CLI::App& compare, Work& work) {
   CLI::App* command = compare.add_subcommand(
       "sphere",
@@ -208,6 +210,10 @@ void add_sphere_command(CLI::App& compare, Work& work) {
                     "Make a mesh fit that the scheme cannot take: into triangles, or by one step "
                     "of catmull-clark into quads");
   command->add_flag("--json", options->json, "JSON on standard output");
+  command
+      ->add_option_function<std::string>(
+          "--to", [](const std::string&) { throw CLI::ValidationError("--to", kSphereIsNoMesh); })
+      ->group("");
   command->callback([options, &work] {
     if (options->averages && options->scheme != scheme_info(Scheme::kLinear).name) {
       throw CLI::ValidationError("--average", "only the scheme linear can be averaged");
@@ -216,13 +222,13 @@ void add_sphere_command(CLI::App& compare, Work& work) {
   });
 }
 
-}  // namespace
-
 void add_compare_command(CLI::App& program, Work& work) {
   CLI::App* command =
-      program.add_subcommand("compare", "Hold what a scheme makes against something known");
-  command->require_subcommand(1);
+      program.add_subcommand("compare",
+                             "Measure how far a mesh, refined as painted, is from the limit "
+                             "surface or from another mesh; or hold a scheme against spheres");
   add_sphere_command(*command, work);
+  add_distance_options(*command, work);
 }
 
 }  // namespace limn::cli
