@@ -102,7 +102,7 @@ std::size_t RefinedMesh::bytes() const noexcept {
   return bytes_of(positions) + bytes_of(vertex_levels) + bytes_of(quads) +
          bytes_of(polygon_offsets) + bytes_of(polygon_vertices) + bytes_of(face_control_faces) +
          bytes_of(face_levels) + bytes_of(normals) + bytes_of(uvs) + bytes_of(quad_uvs) +
-         bytes_of(polygon_uvs) + bytes_of(creases) + bytes_of(corners);
+         bytes_of(polygon_uvs) + bytes_of(creases) + bytes_of(corners) + bytes_of(boundary_edges);
 }
 
 HalfedgeMesh to_halfedge_mesh(const RefinedMesh& mesh) {

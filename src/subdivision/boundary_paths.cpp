@@ -4,7 +4,8 @@
 //   - it reaches b and passes no other control vertex,
 //   - every vertex on its way has two faces or more (a point of an edge has both its sub-faces),
 //   and
-//   - it has as many sides as the labels of a and b make of an edge.
+//   - it has as many sides as the labels of a and b make of an edge, or as many as the refined mesh
+//   says where labels of finer levels were given.
 // The labels are recovered from `vertex_levels`: a vertex that was ever positive has moved in just
 // as many steps; one that moved once had label 1 or 0, which only differs for an edge whose two
 // ends both moved once: it then has one side or two. Triangles alone are Loop's, or have not been
@@ -44,12 +45,16 @@ void BoundaryPaths::find(const ControlMesh& control, const RefinedMesh& refined,
   }
   const Meshes meshes{&control, &refined, singles};
   const FlatTopology& topology = control.topology();
-  for (const auto& [corner, twin] : topology.edge_corners) {
+  auto told = refined.boundary_edges.begin();
+  for (std::uint32_t e = 0; e < topology.edge_corners.size(); ++e) {
+    const auto [corner, twin] = topology.edge_corners[e];
+    const bool is_told = told != refined.boundary_edges.end() && told->control_edge == e;
     if (twin == kNone) {
       follow(meshes, {topology.corner_vertices[corner],
                       topology.corner_vertices[next_corner(topology, corner)],
-                      topology.corner_faces[corner]});
+                      topology.corner_faces[corner], is_told ? told->pieces : 0});
     }
+    told += is_told ? 1 : 0;
   }
 }
 
@@ -60,7 +65,9 @@ void BoundaryPaths::follow(const Meshes& meshes, const ControlEdge& edge) {
   const std::uint8_t label_to = meshes.refined->vertex_levels[edge.to];
   std::uint64_t most = edges_between(label_from, label_to);
   std::uint64_t least = std::max(label_from, label_to) <= 1 ? 1 : most;
-  if (is_all_triangles(*meshes.refined)) {
+  if (edge.pieces > 0) {
+    most = least = edge.pieces;
+  } else if (is_all_triangles(*meshes.refined)) {
     const std::size_t side = side_from(meshes, edge.from, edge.face);
     if (side == kNoSide) {
       return;

@@ -27,6 +27,7 @@ class BoundaryPaths {
     std::uint32_t from;
     std::uint32_t to;
     std::uint32_t face;
+    std::uint32_t pieces;  ///< As the refined mesh has it; 0 where the levels of the ends tell.
   };
   struct Meshes {
     const ControlMesh* control;

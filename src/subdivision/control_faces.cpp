@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "subdivision/fine/fine_trees.h"
 #include "subdivision/patch_gather.h"
 #include "subdivision/patch_limits.h"
 #include "subdivision/root_nodes.h"
@@ -133,7 +134,9 @@ void prefetch_around_face(const RefinementPlan& plan, std::uint32_t f) noexcept 
 
 void refine_face(const RefinementPlan& plan, std::uint32_t f, Patch& patch,
                  const RefinedArrays& arrays) {
-  if (plan.cage.side_count(f) == 4) {
+  if (plan.fine != nullptr && plan.fine->has(f)) {
+    plan.fine->write_face(plan, f, patch, arrays);
+  } else if (plan.cage.side_count(f) == 4) {
     refine_quad(plan, f, patch, arrays);
   } else {
     refine_polygon(plan, f, patch, arrays);

@@ -13,16 +13,19 @@
 // From control faces to patches. Internal to this folder.
 namespace limn {
 
+class FineTrees;
+
 /// Everything known before the first refined vertex is written.
 struct RefinementPlan {
   Cage cage;
   std::span<const std::uint8_t> labels;
-  std::span<const std::uint8_t> greatest;  ///< Label of each face.
+  std::span<const std::uint8_t> greatest;  ///< Numbering::greatest.
   std::uint8_t greatest_of_all = 0;
   const LabelCounts* counts = nullptr;
   const Numbering* numbering = nullptr;
   const RingTables* rings = nullptr;
   std::span<const std::uint32_t> resting_owners;  ///< See place_resting_vertices.
+  const FineTrees* fine = nullptr;  ///< Faces with labels of finer levels; null for none.
 
   /// Whether face f is no quad and stays as it is.
   [[nodiscard]] bool is_resting_polygon(std::uint32_t f) const noexcept {

@@ -20,6 +20,8 @@ namespace {
 
 /// Faces and vertices are numbered with 32 bits, and so are the four corners of every quad.
 constexpr std::uint64_t kMostFaces = 0x3FFFFFF0u;
+/// Where labels of finer levels are given, faces of all levels are numbered so.
+constexpr std::uint64_t kMostFacesOfAllLevels = kMostFaces / 2;
 
 /// Faces one thread takes at a time, and how much they may become before progress is reported.
 constexpr std::size_t kFaceGrain = 64;
@@ -170,15 +172,18 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
   result.origin = origin_of(mesh.bounds());
   work.begin(mesh, labels, settings, limits.levels, result.origin);
 
-  const RefinedCounts counts = work.surface.number(sweep);
+  const RefinedCounts counts = work.surface.number(sweep, limits.fine, limits.levels);
   if (sweep.is_cancelled()) {
     return cancelled();
   }
   const std::uint64_t faces = counts.quads + counts.polygons;
-  if (const std::uint64_t budget = std::min(limits.face_budget, kMostFaces); faces > budget) {
+  if (const std::uint64_t budget =
+          std::min(limits.face_budget, limits.fine != nullptr ? kMostFacesOfAllLevels : kMostFaces);
+      faces > budget) {
     return over_budget(faces, budget);
   }
-  const RefinedCounts texture = has_texture ? work.texture.number(sweep) : RefinedCounts{};
+  const RefinedCounts texture =
+      has_texture ? work.texture.number(sweep, limits.fine, limits.levels) : RefinedCounts{};
   work.surface.run_rings(sweep, limits.normals || settings.points == SurfacePoints::kLimit);
   if (has_texture) {
     work.texture.run_rings(sweep, false);
@@ -230,6 +235,7 @@ Result<void> Refiner::refine(const ControlMesh& mesh, const VertexLabels& labels
     return cancelled();
   }
   list_creases(plan, result);
+  list_boundary_edges(plan, result);
   result.creasing = mesh.creases().method;
   result.corner_rule =
       mesh.is_closed() ? std::nullopt : std::optional<CornerRule>(settings.corners);
@@ -250,7 +256,12 @@ Result<RefinedMesh> refine(const ControlMesh& mesh, const VertexLabels& labels,
 
 Result<Legalisation> legal_labels(const ControlMesh& mesh, std::span<const std::uint8_t> depths,
                                   const SubdivisionSettings& settings, Progress& progress) {
-  VertexLabels labels = apply_non_quad_rule(mesh, vertex_labels(mesh, depths), settings.non_quads);
+  return legalise(mesh, apply_non_quad_rule(mesh, vertex_labels(mesh, depths), settings.non_quads),
+                  settings, progress);
+}
+
+Result<Legalisation> legalise(const ControlMesh& mesh, VertexLabels labels,
+                              const SubdivisionSettings& settings, Progress& progress) {
   switch (settings.legalisation) {
     case LegalisationMethod::kGreedy:
       return legalise_greedy(mesh, std::move(labels), settings.non_quads, progress);

@@ -1,9 +1,11 @@
-// One pass over the faces counts, one assigns; a face's counts follow from its labels alone.
+// One pass over the faces counts, one assigns; a face's counts follow from its labels alone, or
+// have been counted already where labels of finer levels are given.
 #include "subdivision/numbering.h"
 
 #include <algorithm>
 
 #include "limn/contract.h"
+#include "subdivision/fine/fine_counts.h"
 #include "subdivision/label_counts.h"
 
 namespace limn {
@@ -11,11 +13,6 @@ namespace {
 
 enum Kind : std::size_t { kQuads, kVertices, kPolygons, kPolygonSides };
 using Sizes = std::array<std::uint64_t, 4>;
-
-std::uint32_t on_edge(const LabelCounts& table, const FaceLabels& labels, std::size_t side) {
-  const std::size_t after = side + 1 == labels.size() ? 0 : side + 1;
-  return table.edge(labels[side], labels[after]);
-}
 
 /// Calls `visit(edge, side)` for the sides whose edges are numbered with this face.
 template <class Visit>
@@ -46,21 +43,46 @@ std::uint8_t greatest_of(const FaceLabels& labels) {
   return greatest;
 }
 
-/// Of a face with a positive label.
-Sizes sizes_of(const LabelCounts& table, const Cage& cage, const FaceLabels& labels,
-               std::size_t f) {
-  const FaceCounts counts = counts_of(table, labels);
+/// What becomes of a face with a positive label, and of its sides.
+class FaceSizes {
+ public:
+  FaceSizes(const LabelCounts& table, const FineCounts* fine, const FaceLabels& labels,
+            std::size_t f)
+      : table_(table),
+        fine_(fine != nullptr && fine->has(f) ? fine : nullptr),
+        labels_(labels),
+        f_(f) {}
+
+  [[nodiscard]] FaceCounts face() const {
+    return fine_ != nullptr ? FaceCounts(fine_->face(f_)) : counts_of(table_, labels_);
+  }
+  [[nodiscard]] std::uint32_t on_edge(std::size_t side) const {
+    if (fine_ != nullptr) {
+      return fine_->side(f_, side);
+    }
+    const std::size_t after = side + 1 == labels_.size() ? 0 : side + 1;
+    return table_.edge(labels_[side], labels_[after]);
+  }
+
+ private:
+  const LabelCounts& table_;
+  const FineCounts* fine_;
+  const FaceLabels& labels_;
+  std::size_t f_;
+};
+
+Sizes sizes_of(const FaceSizes& face, const Cage& cage, std::size_t f) {
+  const FaceCounts counts = face.face();
   Sizes sizes{counts.quads, counts.inside, 0, 0};
-  for_each_own_edge(cage, f, [&](std::uint32_t, std::uint32_t side) {
-    sizes[kVertices] += on_edge(table, labels, side);
-  });
+  for_each_own_edge(
+      cage, f, [&](std::uint32_t, std::uint32_t side) { sizes[kVertices] += face.on_edge(side); });
   return sizes;
 }
 
 }  // namespace
 
-RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
-                               std::span<const std::uint8_t> labels) {
+RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
+                               const FineCounts* fine) {
   const LabelCounts& table = LabelCounts::table();
   const std::size_t faces = cage.face_count();
   faces_.resize(faces);
@@ -77,7 +99,13 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
   const auto sizes = [&](std::size_t f) {
     const FaceLabels face(cage, labels, f);
     greatest_[f] = greatest_of(face);
-    return greatest_[f] > 0 ? sizes_of(table, cage, face, f) : resting(f);
+    if (greatest_[f] == 0) {
+      return resting(f);
+    }
+    if (fine != nullptr && fine->has(f)) {
+      greatest_[f] = fine->face(f).deepest;
+    }
+    return sizes_of({table, fine, face, f}, cage, f);
   };
   const Sizes ends = sweep.number(faces, start, sizes, [&](std::size_t f, const Sizes& first) {
     if (greatest_[f] == 0) {
@@ -89,12 +117,13 @@ RefinedCounts Numbering::build(Sweep& sweep, const Cage& cage,
       return size;
     }
     const FaceLabels face(cage, labels, f);
-    const FaceCounts counts = counts_of(table, face);
+    const FaceSizes face_sizes(table, fine, face, f);
+    const FaceCounts counts = face_sizes.face();
     faces_[f] = static_cast<std::uint32_t>(first[kQuads]);
     std::uint64_t vertex = first[kVertices];
     for_each_own_edge(cage, f, [&](std::uint32_t edge, std::uint32_t side) {
       edges_[edge] = static_cast<std::uint32_t>(vertex);
-      vertex += on_edge(table, face, side);
+      vertex += face_sizes.on_edge(side);
     });
     insides_[f] = static_cast<std::uint32_t>(vertex);
     return Sizes{counts.quads, vertex + counts.inside - first[kVertices], 0, 0};

@@ -11,6 +11,8 @@
 // folder.
 namespace limn {
 
+class FineCounts;
+
 /// Totals of a refinement.
 struct RefinedCounts {
   std::uint64_t quads = 0;
@@ -25,10 +27,13 @@ struct RefinedCounts {
 class Numbering {
  public:
   /// Labels as the refinement sees them, one per vertex of the cage, legal.
+  /// `fine`: what becomes of faces of which labels of finer levels are given; null for none.
   /// Arrays of an earlier build are used again.
-  RefinedCounts build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels);
+  RefinedCounts build(Sweep& sweep, const Cage& cage, std::span<const std::uint8_t> labels,
+                      const FineCounts* fine);
 
-  /// The greatest label at the corners of each face: 0 where it stays as it is.
+  /// How many levels down each face goes, the greatest label at its corners unless labels of finer
+  /// levels are given: 0 where it stays as it is.
   [[nodiscard]] std::span<const std::uint8_t> greatest() const noexcept { return greatest_; }
 
   /// First quad of a face; where it is a polygon that stays, its number among these.

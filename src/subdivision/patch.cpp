@@ -9,6 +9,7 @@
 
 #include "limn/contract.h"
 #include "subdivision/parallel_ranges.h"
+#include "subdivision/patch_around.h"
 #include "subdivision/patch_levels.h"
 #include "subdivision/patch_limits.h"
 #include "subdivision/tensor_kernels.h"
@@ -25,36 +26,9 @@ static_assert(kStoredSide <= kLongestLimitRow);
 /// Children of nodes with so many quads are worth a task of their own.
 constexpr std::uint32_t kParallelQuads = std::uint32_t{1} << 17;
 
-constexpr std::size_t kAround = 5;  ///< Points along a side of one face's next level, with a ring.
-
 PatchGrid around(const Node& node, const GridView& grid) {
   return {grid, node.level, node.column, node.row, node.patch_corners, node.patch_sides};
 }
-
-/// One face's next level, ring included, and where its own points stand.
-class Around {
- public:
-  /// `node` outlives it: a copy of what was just written would be waited for.
-  Around(const Patch& patch, const PatchGrid& node) : node_(&node) {
-    step_down(patch, node, points_.data());
-  }
-
-  [[nodiscard]] PatchGrid grid() const { return one_level_down(*node_, points_.data()); }
-  [[nodiscard]] const Point& at(const GridPlace& place) const {
-    return points_[(place.y + 1) * kAround + place.x + 1];
-  }
-  /// Child i with the points around it.
-  [[nodiscard]] GridView child(std::size_t i) const {
-    constexpr std::array<std::size_t, 4> kAt{0, 1, kAround + 1, kAround};
-    return {points_.data() + kAt[i], kAround, 1};
-  }
-
- private:
-  std::array<Point, kAround * kAround> points_;
-  const PatchGrid* node_;
-};
-
-constexpr GridPlace kCentre{1, 1};
 
 class PatchWriter {
  public:
@@ -230,7 +204,7 @@ void PatchWriter::write_split(const Node& node, const GridView& grid) const {
   if (centre_label > 0) {
     children[0].owned_corners |= bit(2);
   } else {
-    put(centre, next, kCentre);
+    put(centre, next, kCentreOfFour);
   }
 
   const auto write_children = [&](std::size_t first, std::size_t last) {
@@ -296,7 +270,7 @@ void PatchWriter::write_y(const Node& node, const GridView& grid) const {
   };
   put_midpoint(positive, after);
   put_midpoint(before, before);
-  put(centre, next, kCentre);
+  put(centre, next, kCentreOfFour);
 
   write(child, next.child(positive));
   const std::uint32_t quad = node.quad + LabelCounts::table().face(child.labels).quads;

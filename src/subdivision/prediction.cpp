@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "limn/contract.h"
 #include "limn/subdivision/settings.h"
+#include "subdivision/fine/fine_counts.h"
 #include "subdivision/label_counts.h"
 #include "subdivision/surroundings.h"
 
@@ -32,17 +34,16 @@ std::uint64_t multiply(std::uint64_t a, std::uint64_t b) {
 }
 
 /// Of the texture coordinates, whose surface has the same faces and edges of its own, seams twice.
-template <class LabelOf>
+template <class InsideEdge>
 std::uint64_t texture_bytes(const TextureSurface& texture, const RefinementPrediction& prediction,
-                            std::uint64_t sides, const LabelOf& label_of) {
-  const LabelCounts& counts = LabelCounts::table();
+                            std::uint64_t sides, const InsideEdge& inside_edge) {
   const FlatTopology& topology = texture.topology;
   std::uint64_t boundary_edges = 0;
   for (std::size_t e = 0; e < topology.edge_corners.size(); ++e) {
-    if (topology.edge_corners[e][1] == kNone) {
+    const auto [corner, other] = topology.edge_corners[e];
+    if (other == kNone) {
       const auto [a, b] = topology.edge_vertices[e];
-      boundary_edges +=
-          1 + counts.edge(label_of(texture.vertices[a]), label_of(texture.vertices[b]));
+      boundary_edges += 1 + inside_edge(corner, texture.vertices[a], texture.vertices[b]);
     }
   }
   const std::uint64_t edges = (sides + boundary_edges) / 2;
@@ -52,16 +53,35 @@ std::uint64_t texture_bytes(const TextureSurface& texture, const RefinementPredi
   return add(multiply(points, sizeof(glm::vec2)), multiply(sides, sizeof(std::uint32_t)));
 }
 
+/// The labels of finer levels, held to the levels.
+std::optional<FineCounts> counts_of(const ControlMesh& mesh, const VertexLabels& labels, int levels,
+                                    const FineLabels* fine) {
+  if (fine == nullptr) {
+    return std::nullopt;
+  }
+  Cage cage;
+  cage.topology = &mesh.topology();
+  cage.is_all_quads = mesh.is_all_quads();
+  VertexLabels held = labels;
+  for (std::uint8_t& label : held) {
+    label = static_cast<std::uint8_t>(std::min<int>(label, levels));
+  }
+  return FineCounts(cage, held, *fine, levels);
+}
+
 }  // namespace
 
 RefinementPrediction predict_refinement(const ControlMesh& mesh, const VertexLabels& labels,
-                                        int levels) {
+                                        int levels, const FineLabels* fine) {
   LIMN_EXPECTS(labels.size() == mesh.vertex_count());
   LIMN_EXPECTS(levels >= 0);
   const FlatTopology& topology = mesh.topology();
   const auto label_of = [&](std::uint32_t v) {
     return static_cast<std::uint8_t>(std::min<int>(labels[v], levels));
   };
+
+  const std::optional<FineCounts> fine_counts = counts_of(mesh, labels, levels, fine);
+  const auto is_fine = [&](std::size_t f) { return fine_counts && fine_counts->has(f); };
 
   RefinementPrediction prediction;
   const LabelCounts& counts = LabelCounts::table();
@@ -77,9 +97,12 @@ RefinementPrediction predict_refinement(const ControlMesh& mesh, const VertexLab
       corners.push_back(label_of(v));
       greatest = std::max(greatest, corners.back());
     }
-    prediction.levels = std::max<int>(prediction.levels, greatest);
+    const int deepest = is_fine(f) ? fine_counts->face(f).deepest : greatest;
+    prediction.levels = std::max(prediction.levels, deepest);
     sides += corners.size();
-    if (corners.size() == 4) {
+    if (is_fine(f) && greatest > 0) {
+      prediction.faces = add(prediction.faces, fine_counts->face(f).quads);
+    } else if (corners.size() == 4) {
       const FaceCounts& quad = counts.face({corners[0], corners[1], corners[2], corners[3]});
       LIMN_EXPECTS(quad.quads > 0);  // Else the labels are illegal.
       prediction.faces = add(prediction.faces, quad.quads);
@@ -92,11 +115,16 @@ RefinementPrediction predict_refinement(const ControlMesh& mesh, const VertexLab
     }
   }
 
+  const auto inside_edge = [&](std::uint32_t corner, std::uint8_t a, std::uint8_t b) {
+    const std::uint32_t f = topology.corner_faces[corner];
+    return is_fine(f) ? fine_counts->side(f, corner - topology.face_offsets[f]) : counts.edge(a, b);
+  };
   std::uint64_t boundary_edges = 0;
   for (std::size_t e = 0; e < mesh.edge_count(); ++e) {
-    if (topology.edge_corners[e][1] == kNone) {
+    const auto [corner, other] = topology.edge_corners[e];
+    if (other == kNone) {
       const auto [a, b] = topology.edge_vertices[e];
-      boundary_edges = add(boundary_edges, 1 + counts.edge(label_of(a), label_of(b)));
+      boundary_edges = add(boundary_edges, 1 + inside_edge(corner, label_of(a), label_of(b)));
     }
   }
 
@@ -112,7 +140,11 @@ RefinementPrediction predict_refinement(const ControlMesh& mesh, const VertexLab
               (polygons + 1 + polygon_sides) * sizeof(std::uint32_t)));
   if (const TextureSurface* texture = mesh.texture_surface(); texture != nullptr) {
     prediction.bytes =
-        add(prediction.bytes, texture_bytes(*texture, prediction, refined_sides, label_of));
+        add(prediction.bytes,
+            texture_bytes(*texture, prediction, refined_sides,
+                          [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
+                            return inside_edge(corner, label_of(a), label_of(b));
+                          }));
   }
   prediction.uniform_faces = mesh.face_count();
   if (prediction.levels > 0) {

@@ -55,6 +55,13 @@ void give_corner(RootNode& root, std::size_t corner, bool goes_on) {
 
 }  // namespace
 
+bool writes_side(const RefinementPlan& plan, std::uint32_t corner) {
+  const std::vector<std::uint32_t>& vertices = plan.cage.topology->corner_vertices;
+  return side_at(plan, corner, plan.labels[vertices[corner]],
+                 plan.labels[vertices[plan.cage.next(corner)]])
+      .is_own;
+}
+
 void set_quad_root(const RefinementPlan& plan, std::uint32_t f, Node& node) {
   const std::uint32_t first = plan.cage.first_corner(f);
   std::copy_n(plan.cage.topology->corner_vertices.begin() + first, 4, node.corners.begin());

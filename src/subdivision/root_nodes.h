@@ -25,6 +25,10 @@ struct RootNode {
 /// and its own.
 void set_quad_root(const RefinementPlan& plan, std::uint32_t f, Node& node);
 
+/// Whether the face of a corner writes the vertices on the side that leaves the corner, where one
+/// of its ends has a positive label and no labels of finer levels are given near it.
+[[nodiscard]] bool writes_side(const RefinementPlan& plan, std::uint32_t corner);
+
 /// What is wanted of roots.
 enum class RootDetail {
   kAll,

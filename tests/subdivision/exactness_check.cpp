@@ -36,9 +36,11 @@ ControlMesh scattered(const ControlMesh& mesh) {
 }
 
 Result<RefinedMesh> refined(const ControlMesh& mesh, const VertexLabels& labels,
-                            const SubdivisionSettings& settings, int levels) {
+                            const SubdivisionSettings& settings, int levels,
+                            const FineLabels* fine = nullptr) {
   IgnoreProgress progress;
   RefineLimits limits;
+  limits.fine = fine;
   limits.levels = levels;
   return refine(mesh, labels, settings, limits, progress);
 }
@@ -143,7 +145,8 @@ std::string compare_faces(const ReferenceMesh& reference, const RefinedMesh& mes
 
 /// What a prediction leaves aside.
 std::size_t bytes_of_sharpness(const RefinedMesh& mesh) {
-  return mesh.creases.size() * sizeof(RefinedCrease) + mesh.corners.size() * sizeof(RefinedCorner);
+  return mesh.creases.size() * sizeof(RefinedCrease) + mesh.corners.size() * sizeof(RefinedCorner) +
+         mesh.boundary_edges.size() * sizeof(RefinedBoundaryEdge);
 }
 
 }  // namespace
@@ -163,10 +166,20 @@ Exactness UniformReference::compare(const VertexLabels& labels, const Subdivisio
 std::vector<ReferenceMesh::Vertex> UniformReference::references(const VertexLabels& labels,
                                                                 const SubdivisionSettings& settings,
                                                                 int levels) const {
-  const ReferenceMesh reference = reference_refinement(hierarchy_, labels, levels);
-  SubdivisionSettings at_level = settings;
+  return references({&labels, nullptr, nullptr, &settings, levels});
+}
+
+std::vector<ReferenceMesh::Vertex> UniformReference::references_fine(
+    const VertexLabels& labels, const FineLabels* fine, const LevelLabels& given,
+    const SubdivisionSettings& settings, int levels) const {
+  return references({&labels, fine, &given, &settings, levels});
+}
+
+std::vector<ReferenceMesh::Vertex> UniformReference::references(const Case& at) const {
+  const ReferenceMesh reference = reference_refinement(hierarchy_, *at.labels, at.levels, at.given);
+  SubdivisionSettings at_level = *at.settings;
   at_level.points = SurfacePoints::kLevel;
-  const auto refined_generic = refined(scattered_, labels, at_level, levels);
+  const auto refined_generic = refined(scattered_, *at.labels, at_level, at.levels, at.fine);
   if (!refined_generic || refined_generic->vertex_count() != reference.vertices.size()) {
     return {};
   }
@@ -189,10 +202,21 @@ std::vector<ReferenceMesh::Vertex> UniformReference::references(const VertexLabe
 Exactness UniformReference::compare_faulty(const VertexLabels& labels,
                                            const SubdivisionSettings& settings, int levels,
                                            const std::function<void(RefinedMesh&)>& fault) const {
+  return compare({&labels, nullptr, nullptr, &settings, levels}, fault);
+}
+
+Exactness UniformReference::compare_fine(const VertexLabels& labels, const FineLabels* fine,
+                                         const LevelLabels& given,
+                                         const SubdivisionSettings& settings, int levels) const {
+  return compare({&labels, fine, &given, &settings, levels}, [](RefinedMesh&) {});
+}
+
+Exactness UniformReference::compare(const Case& at,
+                                    const std::function<void(RefinedMesh&)>& fault) const {
   Exactness result;
-  const ReferenceMesh reference = reference_refinement(hierarchy_, labels, levels);
-  const auto refined_generic = refined(scattered_, labels, settings, levels);
-  auto refined_mesh = refined(*mesh_, labels, settings, levels);
+  const ReferenceMesh reference = reference_refinement(hierarchy_, *at.labels, at.levels, at.given);
+  const auto refined_generic = refined(scattered_, *at.labels, *at.settings, at.levels, at.fine);
+  auto refined_mesh = refined(*mesh_, *at.labels, *at.settings, at.levels, at.fine);
   if (!refined_generic || !refined_mesh) {
     result.difference = "no refinement";
     return result;
@@ -246,11 +270,11 @@ Exactness UniformReference::compare_faulty(const VertexLabels& labels,
 }
 
 std::string first_breach(const ControlMesh& mesh, const VertexLabels& labels,
-                         const SubdivisionSettings& settings, int levels) {
+                         const SubdivisionSettings& settings, int levels, const FineLabels* fine) {
   if (!illegal_faces(mesh, labels, settings.legalisation).empty()) {
     return "the labels are illegal";
   }
-  const auto result = refined(mesh, labels, settings, levels);
+  const auto result = refined(mesh, labels, settings, levels, fine);
   if (!result) {
     return "no refinement";
   }
@@ -272,7 +296,7 @@ std::string first_breach(const ControlMesh& mesh, const VertexLabels& labels,
   if (greatest_level_difference(*result) > 1) {
     return "levels jump across an edge";
   }
-  const RefinementPrediction prediction = predict_refinement(mesh, labels, levels);
+  const RefinementPrediction prediction = predict_refinement(mesh, labels, levels, fine);
   std::size_t sides = 0;
   for (std::size_t f = 0; f < result->face_count(); ++f) {
     sides += result->face(f).size();
@@ -280,7 +304,8 @@ std::string first_breach(const ControlMesh& mesh, const VertexLabels& labels,
   if (prediction.faces != result->face_count() || prediction.vertices != result->vertex_count() ||
       2 * prediction.edges != sides + cracks.boundary_edges ||
       prediction.bytes != result->bytes() - bytes_of_sharpness(*result) ||
-      prediction.levels != std::min<int>(levels, *std::ranges::max_element(labels))) {
+      (fine == nullptr &&
+       prediction.levels != std::min<int>(levels, *std::ranges::max_element(labels)))) {
     return "not what was predicted";
   }
   return "";

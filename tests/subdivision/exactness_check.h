@@ -28,6 +28,10 @@ class UniformReference {
 
   [[nodiscard]] Exactness compare(const VertexLabels& labels, const SubdivisionSettings& settings,
                                   int levels) const;
+  /// With labels of finer levels, as the library has them and vertex by vertex.
+  [[nodiscard]] Exactness compare_fine(const VertexLabels& labels, const FineLabels* fine,
+                                       const LevelLabels& given,
+                                       const SubdivisionSettings& settings, int levels) const;
 
   /// The same with a deliberate error in the refined mesh, to show that the comparison sees it.
   [[nodiscard]] Exactness compare_faulty(const VertexLabels& labels,
@@ -38,6 +42,9 @@ class UniformReference {
   [[nodiscard]] std::vector<ReferenceMesh::Vertex> references(const VertexLabels& labels,
                                                               const SubdivisionSettings& settings,
                                                               int levels) const;
+  [[nodiscard]] std::vector<ReferenceMesh::Vertex> references_fine(
+      const VertexLabels& labels, const FineLabels* fine, const LevelLabels& given,
+      const SubdivisionSettings& settings, int levels) const;
   [[nodiscard]] const UniformHierarchy& hierarchy() const noexcept { return hierarchy_; }
   /// `[level][vertex]`.
   [[nodiscard]] const std::vector<std::vector<glm::dvec3>>& positions() const noexcept {
@@ -45,6 +52,17 @@ class UniformReference {
   }
 
  private:
+  struct Case {
+    const VertexLabels* labels;
+    const FineLabels* fine;
+    const LevelLabels* given;
+    const SubdivisionSettings* settings;
+    int levels;
+  };
+  [[nodiscard]] std::vector<ReferenceMesh::Vertex> references(const Case& at) const;
+  [[nodiscard]] Exactness compare(const Case& at,
+                                  const std::function<void(RefinedMesh&)>& fault) const;
+
   const ControlMesh* mesh_;
   ControlMesh scattered_;
   UniformHierarchy hierarchy_;
@@ -55,6 +73,7 @@ class UniformReference {
 /// Everything else that holds of every refinement; empty if it does, else the first breach: cracks,
 /// boundary, quads, level differences, prediction, control vertices, illegal faces.
 [[nodiscard]] std::string first_breach(const ControlMesh& mesh, const VertexLabels& labels,
-                                       const SubdivisionSettings& settings, int levels);
+                                       const SubdivisionSettings& settings, int levels,
+                                       const FineLabels* fine = nullptr);
 
 }  // namespace limn::test

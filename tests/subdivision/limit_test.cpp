@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "exactness_check.h"
+#include "hierarchy_labels.h"
 #include "hierarchy_rings.h"
 #include "limn/mesh/import.h"
 #include "support/attribute_shapes.h"
@@ -184,23 +185,30 @@ void expect_limits(const ControlMesh& mesh, const std::string& name, int levels,
       const int deepest = std::min(5, levels - (has_first_step ? 1 : 0));
       const double probability = painting % 4 == 3 ? 1.0 : std::pow(0.5, 1 + painting % 4);
       const auto depths = test::random_depths(mesh, probability, deepest, random);
-      IgnoreProgress progress;
-      const auto legal = legal_labels(mesh, depths, settings, progress);
-      ASSERT_TRUE(legal);
+      // Every other one with demands on finer faces.
+      const auto [painted, given] =
+          test::random_fine_painting(reference.uniform().hierarchy(), mesh, depths,
+                                     painting % 2 == 0 || levels < 2 ? 0 : 8, settings, random);
+      const VertexLabels& labels = painted.legal.labels;
+      RefineLimits plainly;
+      plainly.fine = painted.fine.get();
+      RefineLimits with_normals = plainly;
+      with_normals.normals = true;
       SCOPED_TRACE(fmt::format("{}, painting {}", name, painting));
-      const auto references = reference.uniform().references(legal->labels, settings, kAllLevels);
+      const auto references = reference.uniform().references_fine(
+          labels, painted.fine.get(), given.labels, settings, kAllLevels);
       if (references.empty()) {
         ++compared.unmatched;
         continue;
       }
-      const RefinedMesh limit = refined(mesh, legal->labels, settings, with_normals());
+      const RefinedMesh limit = refined(mesh, labels, settings, with_normals);
       ASSERT_EQ(limit.normals.size(), limit.vertex_count());
       ASSERT_EQ(reference.compare(limit, references, compared), "");
 
       // Neither changes what it need not.
       settings.points = SurfacePoints::kLevel;
-      const RefinedMesh plain = refined(mesh, legal->labels, settings, {});
-      const RefinedMesh shaded = refined(mesh, legal->labels, settings, with_normals());
+      const RefinedMesh plain = refined(mesh, labels, settings, plainly);
+      const RefinedMesh shaded = refined(mesh, labels, settings, with_normals);
       ASSERT_TRUE(plain.normals.empty());
       ASSERT_EQ(shaded.positions, plain.positions);
       ASSERT_EQ(shaded.normals, limit.normals);

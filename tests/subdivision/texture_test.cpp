@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "exactness_check.h"
+#include "hierarchy_labels.h"
 #include "support/attribute_shapes.h"
 #include "support/shapes.h"
 
@@ -41,28 +42,26 @@ PointsOfVertices points_of_vertices(const test::UniformHierarchy& hierarchy,
 }
 
 RefinedMesh refined(const ControlMesh& mesh, const VertexLabels& labels,
-                    const SubdivisionSettings& settings) {
+                    const SubdivisionSettings& settings, const FineLabels* fine = nullptr) {
   IgnoreProgress progress;
-  return refine(mesh, labels, settings, {}, progress).value();
-}
-
-VertexLabels random_labels(const ControlMesh& mesh, const SubdivisionSettings& settings, int most,
-                           double share, test::Random& random) {
-  IgnoreProgress progress;
-  return legal_labels(mesh, test::random_depths(mesh, share, most, random), settings, progress)
-      .value()
-      .labels;
+  RefineLimits limits;
+  limits.fine = fine;
+  return refine(mesh, labels, settings, limits, progress).value();
 }
 
 /// Every corner of every face has one of the points that uniform subdivision gives its vertex.
 void expect_points_of_vertices(const ControlMesh& mesh, const SubdivisionSettings& settings,
                                const test::UniformReference& reference,
-                               const PointsOfVertices& points, const VertexLabels& labels) {
-  const RefinedMesh result = refined(mesh, labels, settings);
+                               const PointsOfVertices& points, const test::FinePainting& painting) {
+  const auto& [painted, given] = painting;
+  const VertexLabels& labels = painted.legal.labels;
+  const FineLabels* fine = painted.fine.get();
+  const RefinedMesh result = refined(mesh, labels, settings, fine);
   ASSERT_EQ(result.quad_uvs.size(), result.quads.size());
   ASSERT_EQ(result.polygon_uvs.size(), result.polygon_vertices.size());
-  EXPECT_EQ(test::first_breach(mesh, labels, settings, kAllLevels), "");
-  const auto references = reference.references(labels, settings, kAllLevels);
+  EXPECT_EQ(test::first_breach(mesh, labels, settings, kAllLevels, fine), "");
+  const auto references =
+      reference.references_fine(labels, fine, given.labels, settings, kAllLevels);
   ASSERT_EQ(references.size(), result.vertex_count());
   std::size_t off = 0;
   const auto check = [&](std::uint32_t vertex, std::uint32_t uv) {
@@ -134,9 +133,11 @@ void expect_texture(const std::string& name, const ControlMesh& mesh, test::Rand
     expect_points_of_faces(mesh, settings, reference, hierarchy);
     const PointsOfVertices points = points_of_vertices(hierarchy, mesh);
     for (int painting = 0; painting < 4; ++painting) {
-      const VertexLabels labels =
-          random_labels(mesh, settings, kLevels, painting % 2 == 0 ? 0.15 : 0.4, random);
-      expect_points_of_vertices(mesh, settings, reference, points, labels);
+      const auto depths =
+          test::random_depths(mesh, painting % 2 == 0 ? 0.15 : 0.4, kLevels, random);
+      expect_points_of_vertices(mesh, settings, reference, points,
+                                test::random_fine_painting(hierarchy, mesh, depths,
+                                                           painting < 2 ? 0 : 6, settings, random));
     }
   }
 }

@@ -271,7 +271,7 @@ std::uint32_t UniformHierarchy::child_of_vertex(int level, std::uint32_t vertex)
 }
 
 ReferenceMesh reference_refinement(const UniformHierarchy& hierarchy, const VertexLabels& labels,
-                                   int levels) {
+                                   int levels, const LevelLabels* given) {
   ReferenceMesh mesh;
   std::vector<int> label(labels.begin(), labels.end());
   std::vector<std::uint32_t> identity(labels.size());  // Into mesh.vertices, or kNone.
@@ -372,6 +372,9 @@ ReferenceMesh reference_refinement(const UniformHierarchy& hierarchy, const Vert
       for (const std::uint32_t child : children) {
         next_active.push_back({child, here.control_face});
       }
+    }
+    for (std::size_t v = 0; given != nullptr && v < next_label.size(); ++v) {
+      next_label[v] = std::min<int>((*given)[static_cast<std::size_t>(k) + 1][v], levels - k - 1);
     }
     active = std::move(next_active);
     label = std::move(next_label);

@@ -25,9 +25,9 @@ struct ReferenceLimits {
 /// Whose steps.
 enum class ReferenceScheme { kCatmullClark, kLoop, kBilinear };
 
-/// A control mesh after 0..levels uniform steps, Catmull-Clark's if nothing else is said, with its creases and texture
-/// coordinates, by OpenSubdiv in double precision. Level 0 has the control mesh's vertex and face
-/// numbers.
+/// A control mesh after 0..levels uniform steps, Catmull-Clark's if nothing else is said, with its
+/// creases and texture coordinates, by OpenSubdiv in double precision. Level 0 has the control
+/// mesh's vertex and face numbers.
 class UniformHierarchy {
  public:
   UniformHierarchy(const ControlMesh& mesh, int levels, CornerRule corners,
@@ -91,9 +91,14 @@ struct ReferenceMesh {
   std::vector<Face> faces;
 };
 
+/// Labels of the vertices of every level of a hierarchy: `[level][vertex]`.
+using LevelLabels = std::vector<std::vector<std::uint8_t>>;
+
 /// The rules of one level, spelled out on the uniform meshes without regard to cost: an
-/// implementation that shares nothing with the library's.
+/// implementation that shares nothing with the library's. `given`: labels of finer levels, in place
+/// of those that follow from the level before.
 [[nodiscard]] ReferenceMesh reference_refinement(const UniformHierarchy& hierarchy,
-                                                 const VertexLabels& labels, int levels);
+                                                 const VertexLabels& labels, int levels,
+                                                 const LevelLabels* given = nullptr);
 
 }  // namespace limn::test

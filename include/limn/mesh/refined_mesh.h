@@ -35,6 +35,14 @@ struct RefinedCorner {
   [[nodiscard]] bool operator==(const RefinedCorner&) const = default;
 };
 
+/// How many edges of a refined mesh a boundary edge of its control mesh has become.
+struct RefinedBoundaryEdge {
+  std::uint32_t control_edge = 0;
+  std::uint32_t pieces = 0;
+
+  [[nodiscard]] bool operator==(const RefinedBoundaryEdge&) const = default;
+};
+
 /// The result of an adaptive subdivision: quads, the non-quad control faces that stayed as they
 /// were, and where each came from.
 ///
@@ -73,6 +81,9 @@ struct RefinedMesh {
   /// What is still sharp, with the sharpness that remains at the level an edge or vertex was made.
   std::vector<RefinedCrease> creases;
   std::vector<RefinedCorner> corners;
+  /// Of those control faces alone that labels of finer levels were given for, ascending: of other
+  /// boundary edges the levels of the ends tell.
+  std::vector<RefinedBoundaryEdge> boundary_edges;
   /// By what rules it goes on: how sharpness wears off, and what becomes of boundary corners, where
   /// there is a boundary.
   CreasingMethod creasing = CreasingMethod::kUniform;

@@ -9,6 +9,7 @@
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/refined_mesh.h"
 #include "limn/progress.h"
+#include "limn/subdivision/fine_labels.h"
 #include "limn/subdivision/labels.h"
 #include "limn/subdivision/legalisation.h"
 #include "limn/subdivision/prediction.h"
@@ -24,11 +25,19 @@ namespace limn {
                                                 const SubdivisionSettings& settings,
                                                 Progress& progress);
 
+/// Legalises labels that the rule for non-quads has gone over, by the method of the settings.
+/// Errors: kCancelled.
+[[nodiscard]] Result<Legalisation> legalise(const ControlMesh& mesh, VertexLabels labels,
+                                            const SubdivisionSettings& settings,
+                                            Progress& progress);
+
 /// Where a refinement stops, where it is refused, and what it gives besides.
 struct RefineLimits {
   int levels = kAllLevels;  ///< Stop after so many steps: 1 is "one level only".
   std::uint64_t face_budget = std::numeric_limits<std::uint64_t>::max();
-  bool normals = false;  ///< Fill RefinedMesh::normals.
+  bool normals = false;              ///< Fill RefinedMesh::normals.
+  const FineLabels* fine = nullptr;  ///< Labels of finer levels, found together with those of the
+                                     ///< control mesh (`LabelsWithDemands`).
 };
 
 /// Label-driven adaptive Catmull-Clark subdivision (Yong & Cheng 2005, with Kobbelt's Y-elements).

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "limn/mesh/control_mesh.h"
+#include "limn/subdivision/fine_labels.h"
 #include "limn/subdivision/labels.h"
 
 namespace limn {
@@ -15,16 +16,19 @@ struct RefinementPrediction {
   std::uint64_t faces = 0;
   std::uint64_t vertices = 0;
   std::uint64_t edges = 0;
-  std::uint64_t bytes = 0;  ///< Of the RefinedMesh's arrays, creases, corners and normals aside.
+  std::uint64_t bytes = 0;  ///< Of the RefinedMesh's arrays, creases, corners, boundary edges and
+                            ///< normals aside.
   std::uint64_t uniform_faces = 0;  ///< Of uniform Catmull-Clark at the same greatest level.
   int levels = 0;                   ///< Steps that will be made.
 };
 
 /// Counts by the recursion of the face patterns, with one table entry per label quadruple: the time
 /// is linear in the control mesh, whatever the depth. Counts saturate at 2^64 - 1.
-/// `labels` must be legal; `levels` stops after so many steps.
+/// `labels` must be legal; `levels` stops after so many steps. `fine`: labels of finer levels,
+/// found together with those of the control mesh; the time is linear in these, too.
 [[nodiscard]] RefinementPrediction predict_refinement(const ControlMesh& mesh,
                                                       const VertexLabels& labels,
-                                                      int levels = kAllLevels);
+                                                      int levels = kAllLevels,
+                                                      const FineLabels* fine = nullptr);
 
 }  // namespace limn

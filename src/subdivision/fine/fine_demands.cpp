@@ -1,0 +1,103 @@
+// Demands stand in the order of a walk through the quadtrees that meets a face before what lies in
+// it (Morton order), so what lies in a face follows it without a gap, and one pass with a stack of
+// the faces around drops what is covered.
+#include "limn/subdivision/fine_demands.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "limn/contract.h"
+#include "subdivision/fine/fine_path.h"
+
+namespace limn {
+namespace {
+
+constexpr auto kOrder = [](const FineDemand& a, const FineDemand& b) {
+  const auto key = [](const FineFace& face) {
+    return std::tuple(face.control_face, face.corner, first_place(face), face.level);
+  };
+  return key(a.face) < key(b.face);
+};
+
+bool is_some(const FineDemand& demand) {
+  return demand.face.level > 0 && demand.depth > demand.face.level;
+}
+
+}  // namespace
+
+bool is_face_of(const ControlMesh& mesh, const FineFace& face) {
+  if (face.control_face >= mesh.face_count() || face.level < 1 || face.level > kMaxDepth) {
+    return false;
+  }
+  const std::size_t sides = mesh.face(face.control_face).size();
+  const std::uint32_t along = 1U << (sides == 4 ? face.level : face.level - 1);
+  return face.corner < (sides == 4 ? 1 : sides) && face.column < along && face.row < along;
+}
+
+bool is_demand_on(const ControlMesh& mesh, const FineDemand& demand) {
+  return is_face_of(mesh, demand.face) && is_some(demand) && demand.depth <= kMaxDepth;
+}
+
+void FineDemands::raise(std::span<const FineDemand> demands) {
+  demands_.insert(demands_.end(), demands.begin(), demands.end());
+  put_in_order();
+}
+
+void FineDemands::put_in_order() {
+  std::erase_if(demands_, [](const FineDemand& demand) { return !is_some(demand); });
+  std::ranges::sort(demands_, [](const FineDemand& a, const FineDemand& b) {
+    return kOrder(a, b) || (!kOrder(b, a) && a.depth > b.depth);
+  });
+  std::vector<FineDemand> around;  // Those that the last one lies in, and itself.
+  std::size_t kept = 0;
+  for (const FineDemand& demand : demands_) {
+    while (!around.empty() && !lies_in(demand.face, around.back().face)) {
+      around.pop_back();
+    }
+    if (around.empty() || around.back().depth < demand.depth) {
+      around.push_back(demand);
+      demands_[kept++] = demand;
+    }
+  }
+  demands_.resize(kept);
+}
+
+void FineDemands::lower(const FineDemand& most) {
+  LIMN_EXPECTS(most.face.level > 0);
+  std::vector<FineDemand> beside;
+  for (FineDemand& demand : demands_) {
+    if (demand.depth <= most.depth) {
+      continue;
+    }
+    if (lies_in(demand.face, most.face)) {
+      demand.depth = most.depth;
+    } else if (lies_in(most.face, demand.face)) {
+      FineFace face = most.face;
+      for (; face.level > demand.face.level; face = parent_of(face)) {
+        for (std::uint16_t child = 0; child < 4; ++child) {
+          if (const FineFace sibling = child_of(parent_of(face), child); sibling != face) {
+            beside.push_back({sibling, demand.depth});
+          }
+        }
+      }
+      demand = {most.face, most.depth};
+    }
+  }
+  demands_.insert(demands_.end(), beside.begin(), beside.end());
+  put_in_order();
+}
+
+std::uint8_t FineDemands::depth_at(const FineFace& face) const {
+  std::uint8_t depth = 0;
+  for (FineFace at = face; at.level > 0; at = parent_of(at)) {
+    const auto found =
+        std::lower_bound(demands_.begin(), demands_.end(), FineDemand{at, 0}, kOrder);
+    if (found != demands_.end() && found->face == at) {
+      depth = std::max(depth, found->depth);
+    }
+  }
+  return depth;
+}
+
+}  // namespace limn
