@@ -8,6 +8,7 @@ const int kColourByLevel = 16;
 const int kShowIllegal = 32;
 const int kFilled = 64;
 const int kMaterialShift = 7;  // two bits
+const int kColourByDistance = 512;
 
 const int kStudio = 0;
 const int kClay = 1;
@@ -19,7 +20,7 @@ layout(std140, binding = 0) uniform Frame {
   mat4 view_from_local;
   mat4 projection;
   vec4 viewport;       // width, height, pixels per unit of the interface, unused
-  vec4 palette[8];     // linear RGB of depths; the first is the material's own
+  vec4 palette[8];     // linear RGB of depths, the first the material's own; or of distances
   vec4 palette_text[8];  // sRGB of digits on them
   vec4 valences[4];    // sRGB of irregular vertices, as are the next ones
   vec4 valence_text[4];  // of digits on them

@@ -48,6 +48,10 @@ void main() {
     base = palette[min(depth, 7u)].rgb;
   } else if (has_option(kColourByLevel)) {
     base = palette[min(level, 7u)].rgb;
+  } else if (has_option(kColourByDistance)) {
+    float place = float(depth) * (7.0 / 255.0);
+    uint below = min(uint(place), 6u);
+    base = mix(palette[below].rgb, palette[below + 1u].rgb, place - float(below));
   }
 
   vec3 normal = normalize(has_option(kSmoothNormals) ? smooth_normal : flat_normal);

@@ -7,6 +7,8 @@
 #include "frame.glsl"
 
 layout(std430, binding = 5) restrict readonly buffer SurfaceNormals { float surface_normals[]; };
+// Of drawn faces, 4 a word: 0 is no distance, 255 the greatest (render/surface/face_distances.h).
+layout(std430, binding = 10) restrict readonly buffer FaceDistances { uint face_distances[]; };
 
 out vec3 eye_position;
 out vec3 smooth_normal;
@@ -14,7 +16,7 @@ flat out vec3 flat_normal;
 // Distances in mesh units to the face's true edges, linear over the triangle: all four of a quad,
 // the three of a triangle, and of a larger polygon those of its sides that bound this triangle.
 out vec4 edge_distances;
-flat out uint face_state;  // depth, level << 8, highlighted << 16, illegal << 17, min(sides, 5) << 18
+flat out uint face_state;  // depth or distance, level << 8, highlighted << 16, illegal << 17, min(sides, 5) << 18
 
 const float kNoEdge = 1e9;
 
@@ -99,7 +101,10 @@ void main() {
   // Highlighted faces show their edges without the wireframe as well.
   edge_distances = distances_to_edges(corner, position);
   if (corner.is_provoking) {
-    face_state = depth_of_face(corner.control_face) | corner.level << 8 |
+    uint shade = has_option(kColourByDistance)
+                     ? face_distances[corner.face >> 2] >> ((corner.face & 3u) * 8u) & 0xFFu
+                     : depth_of_face(corner.control_face);
+    face_state = shade | corner.level << 8 |
                  uint(is_highlighted(corner.control_face)) << 16 |
                  uint(is_illegal(corner.control_face)) << 17 | min(corner.sides, 5u) << 18;
   }

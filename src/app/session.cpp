@@ -24,6 +24,7 @@ Session::Session(SessionHost host)
       refinement_(host_.wake, "refinement", host_.arrivals),
       second_(host_.wake, "second", host_.arrivals),
       sphere_(host_.wake, host_.arrivals),
+      distance_(host_.wake, host_.arrivals),
       exports_(host_.wake, files_, host_.arrivals),
       forecast_(host_.wake, host_.arrivals),
       autosave_(host_.recovery_folder, host_.wake) {
@@ -48,13 +49,14 @@ void Session::perform(const ui::Action& action) {
 }
 
 void Session::carry_out(const ui::Action& action) {
-  const bool is_known =
-      perform_answer(action) || perform_recovery(action) || perform_program(action) ||
-      perform_file(action) || perform_edit(action) || perform_rule(action) ||
-      perform_creases(action) || perform_brush(action) || perform_subdivision(action) ||
-      perform_steps(action) || perform_scheme(action) || perform_scheme_choice(action) ||
-      perform_edge(action) || perform_display(action) || perform_camera(action) ||
-      perform_navigation(action) || perform_report(action) || perform_flaw(action);
+  const bool is_known = perform_answer(action) || perform_recovery(action) ||
+                        perform_program(action) || perform_file(action) || perform_edit(action) ||
+                        perform_rule(action) || perform_creases(action) || perform_brush(action) ||
+                        perform_subdivision(action) || perform_steps(action) ||
+                        perform_scheme(action) || perform_scheme_choice(action) ||
+                        perform_edge(action) || perform_display(action) || perform_camera(action) ||
+                        perform_navigation(action) || perform_report(action) ||
+                        perform_flaw(action) || perform_measurement(action);
   LIMN_EXPECTS(is_known);
   update_facts();
 }
@@ -66,6 +68,7 @@ bool Session::update(double now) {
   bool has_news = refinement_.update();
   has_news |= second_.update();
   has_news |= sphere_.update();
+  has_news |= distance_.update();
   has_news |= forecast_.update();
   if (has_news) {
     update_facts();
@@ -119,7 +122,8 @@ void Session::finish_refinement() {
     refinement_.wait_until_idle();
     follow_second();
     second_.wait_until_idle();
-  } while (update(now_) && (refinement_.is_busy() || second_.is_busy()));
+    distance_.wait();
+  } while (update(now_) && (refinement_.is_busy() || second_.is_busy() || distance_.is_busy()));
   exports_.wait_until_idle();
   report_export();
   finish_forecast();
@@ -268,6 +272,9 @@ void Session::cancel() {
   } else if (sphere_.is_busy()) {
     sphere_.cancel();
     toast(Kind::kNote, "The comparison was stopped.");
+  } else if (distance_.is_busy()) {
+    distance_.give_up();
+    toast(Kind::kNote, "The measurement was stopped.");
   } else if (refinement_.is_busy()) {
     refinement_.cancel();
     export_path_.reset();
@@ -354,6 +361,7 @@ ui::Model Session::model() const {
       .scheme = scheme_status(),
       .second = second_status(),
       .sphere = sphere_.status(sphere_question()),
+      .distance = distance_status(),
       .history = {history_.undo_name(), history_.redo_name(), history_.bytes(), &history_},
       .hover = hover,
       .hover_edge = hover_edge,

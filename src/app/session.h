@@ -15,6 +15,7 @@
 #include "app/autosave.h"
 #include "app/camera_motion.h"
 #include "app/desktop_dialog.h"
+#include "app/distance_job.h"
 #include "app/export_job.h"
 #include "app/file_access.h"
 #include "app/legalisation_stepper.h"
@@ -105,6 +106,9 @@ class Session {
   /// Irregular vertices of what either half shows; empty unless they are to be seen.
   [[nodiscard]] const ShownValences& valences() const noexcept { return valences_; }
   [[nodiscard]] const ShownValences& second_valences() const noexcept { return second_valences_; }
+  /// How far the faces of the refined mesh shown are from its limit surface; its `distance` is null
+  /// where that is not known.
+  [[nodiscard]] const DistanceJob& distance() const noexcept { return distance_; }
   [[nodiscard]] const LegalisationStepper& steps() const noexcept { return steps_; }
   [[nodiscard]] const ui::DisplaySettings& display() const noexcept { return display_; }
   [[nodiscard]] const ui::BrushSettings& brush() const noexcept { return brush_; }
@@ -122,7 +126,8 @@ class Session {
   [[nodiscard]] bool shows_second_refined() const noexcept;
   /// Whether anything is being worked out on another thread.
   [[nodiscard]] bool is_busy() const {
-    return refinement_.is_busy() || second_.is_busy() || sphere_.is_busy() || exports_.is_busy();
+    return refinement_.is_busy() || second_.is_busy() || sphere_.is_busy() || distance_.is_busy() ||
+           exports_.is_busy();
   }
   /// Blocks until the refined mesh is up to date, and the file that is exported written. For tests
   /// and for work without a window.
@@ -209,6 +214,7 @@ class Session {
   bool set_material(ui::Material material);
   bool perform_report(const ui::Action& action);  // session_report.cpp, as what follows it
   bool perform_flaw(const ui::Action& action);
+  bool perform_measurement(const ui::Action& action);  // session_distance.cpp
 
   void recover();
   void ask_about_lost_work();
@@ -253,6 +259,11 @@ class Session {
   void edit_edge(Result<std::unique_ptr<Command>> edit);
   [[nodiscard]] SphereJob::Question sphere_question() const;
   void compare_with_sphere();
+  /// What of the refined mesh shown can be measured; nothing where there is no limit surface to
+  /// hold it against.
+  [[nodiscard]] std::optional<DistanceJob::Question> distance_question() const;
+  [[nodiscard]] ui::DistanceStatus distance_status() const;
+  void follow_distance();
   /// What follows from document and display: facts, the second half, valences.
   void update_facts();
   void show_second(std::optional<SchemeSettings> scheme, bool is_uniform);
@@ -275,6 +286,7 @@ class Session {
   LiveRefinement refinement_;
   LiveRefinement second_;
   SphereJob sphere_;
+  DistanceJob distance_;
   ExportJob exports_;
   ForecastJob forecast_;
   bool was_busy_ = false;  ///< At the last update.

@@ -283,6 +283,7 @@ void Session::update_facts() {
   if (display_.tint == ui::Tint::kLevel) {
     levels_.update(document_.control, shows_refined() ? refinement_.refined()->mesh : nullptr);
   }
+  follow_distance();
   if (display_.valences) {
     valences_.update(document_.control, shows_refined() ? refinement_.refined()->mesh : nullptr);
     if (display_.second) {

@@ -70,6 +70,9 @@ bool Session::perform_display(const ui::Action& action) {
     case kTintNone:
       display_.tint = ui::Tint::kNone;
       return true;
+    case kTintDistance:
+      display_.tint = ui::Tint::kDistance;
+      return true;
     case kMaterialStudio:
       return set_material(ui::Material::kStudio);
     case kMaterialClay:

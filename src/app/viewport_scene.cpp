@@ -21,6 +21,8 @@ constexpr float kOutlineRim = 3.5F;
 static_assert(static_cast<int>(ui::Tint::kDepth) == static_cast<int>(render::FaceColour::kDepth));
 static_assert(static_cast<int>(ui::Tint::kLevel) == static_cast<int>(render::FaceColour::kLevel));
 static_assert(static_cast<int>(ui::Tint::kNone) == static_cast<int>(render::FaceColour::kPlain));
+static_assert(static_cast<int>(ui::Tint::kDistance) ==
+              static_cast<int>(render::FaceColour::kDistance));
 static_assert(static_cast<int>(ui::Material::kShiny) == static_cast<int>(render::Material::kShiny));
 
 render::DrawSettings draw_settings(const ui::DisplaySettings& display, double scale) {
@@ -133,6 +135,7 @@ Result<void> ViewportScene::sync(const Session& session) {
     sync_numbers(session.display(), session.second(), second_);
   }
   sync_labels(session);
+  sync_distances(session);
   if (session.display().valences) {
     const auto mesh_of = [](bool is_shown, const LiveRefinement& shown) {
       return is_shown ? shown.refined()->mesh.get() : nullptr;
@@ -173,6 +176,25 @@ void ViewportScene::sync_numbers(const ui::DisplaySettings& display,
     refined.numbered.upload(render::middle_faces(*refinement.refined()->surface));
     refined.has_numbered = true;
     ++content_;
+  }
+}
+
+void ViewportScene::sync_distances(const Session& session) {
+  const DistanceJob& job = session.distance();
+  if (session.display().tint != ui::Tint::kDistance ||
+      (distances_.revision == job.revision() && distances_.refined == *refined_.revision)) {
+    return;
+  }
+  distances_.revision = job.revision();
+  distances_.refined = *refined_.revision;
+  distances_.are_there = false;
+  ++content_;
+  if (refined_.is_there) {
+    const RefinedMesh* mesh = session.refinement().refined()->mesh.get();
+    if (const LimitDistance* distance = job.distance(mesh); distance != nullptr) {
+      distances_.faces.upload(*mesh, distance->of_faces, distance->greatest());
+      distances_.are_there = true;
+    }
   }
 }
 
@@ -305,6 +327,9 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
   }
   target_.resize({size.width, size.height});
   render::Scene scene = scene_of(session, shows_refined ? &refined_ : nullptr, valences_);
+  if (shows_refined && distances_.are_there && distances_.refined == refined_.revision) {
+    scene.distances = &distances_.faces;
+  }
   scene.markers = markers_.count() > 0 ? &markers_ : nullptr;
   if (look.ring) {
     scene.ring = render::OverlayRing{{look.ring->centre.x, look.ring->centre.y},

@@ -16,6 +16,7 @@
 #include "render/picking/through_picker.h"
 #include "render/render_target.h"
 #include "render/surface/crease_lines.h"
+#include "render/surface/face_distances.h"
 #include "render/surface/face_paint.h"
 #include "render/surface/markers.h"
 #include "render/surface/surface_buffers.h"
@@ -106,6 +107,13 @@ class ViewportScene {
     bool is_there = false;
     bool has_numbered = false;  ///< `numbered` is of what is there.
   };
+  /// How far the faces of the refined mesh are from the limit surface.
+  struct Distances {
+    render::FaceDistances faces;
+    std::uint64_t revision = 0;  ///< Of the job, and of the mesh
+    std::uint64_t refined = 0;   ///< that they are for.
+    bool are_there = false;
+  };
   /// Irregular vertices of what is shown.
   struct Dots {
     render::MarkerBuffers markers;
@@ -117,6 +125,7 @@ class ViewportScene {
   void sync_numbers(const ui::DisplaySettings& display, const LiveRefinement& refinement,
                     Refined& refined);
   void sync_labels(const Session& session);
+  void sync_distances(const Session& session);
   void sync_dots(const ShownValences& valences, const ControlMesh& control,
                  const RefinedMesh* refined, Dots& dots);
   /// What both halves have in common.
@@ -127,6 +136,7 @@ class ViewportScene {
   render::SurfaceBuffers control_;
   Refined refined_;
   Refined second_;
+  Distances distances_;
   render::CreaseBuffers control_creases_;
   render::FacePaint paint_;
   render::MarkerBuffers markers_;

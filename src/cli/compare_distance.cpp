@@ -130,10 +130,7 @@ Result<PaintedMesh> open_refined(PaintingOptions options, const ViewOptions& vie
 
 Result<void> measure_to_limit(const PaintedMesh& mesh, Distances& distances) {
   const Document& document = mesh.project.document;
-  VertexLabels labels = mesh.derived.labels.legal.labels;
-  for (std::uint8_t& label : labels) {
-    label = static_cast<std::uint8_t>(std::min<int>(label, mesh.levels));
-  }
+  const VertexLabels labels = labels_up_to(mesh.derived.labels, mesh.levels);
   TerminalProgress progress;
   std::shared_ptr<const RefinedMesh> refined =
       mesh.derived.refinement ? mesh.derived.refinement->mesh : nullptr;

@@ -1,5 +1,6 @@
 #include "cli/input.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -216,6 +217,14 @@ std::shared_ptr<void> limit_threads(int threads) {
   }
   return std::make_shared<oneapi::tbb::global_control>(
       oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+}
+
+VertexLabels labels_up_to(const DerivedLabels& labels, int levels) {
+  VertexLabels result = labels.legal.labels;
+  for (std::uint8_t& label : result) {
+    label = static_cast<std::uint8_t>(std::min<int>(label, levels));
+  }
+  return result;
 }
 
 Result<Derived> derive(const Project& project, const PaintingOptions& options) {

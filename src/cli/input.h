@@ -83,6 +83,9 @@ struct Derived {
 /// Holds the process to so many threads until it is destroyed; 0: as many as the machine has.
 [[nodiscard]] std::shared_ptr<void> limit_threads(int threads);
 
+/// Those of a refinement that stops after so many levels.
+[[nodiscard]] VertexLabels labels_up_to(const DerivedLabels& labels, int levels);
+
 /// The refinement of an opened project, with progress on the terminal, on `options.threads`
 /// threads.
 [[nodiscard]] Result<Derived> derive(const Project& project, const PaintingOptions& options);

@@ -36,6 +36,11 @@ void draw_legend_over(const Document& document, const ui::DepthCounts& levels,
   ui::LegendCounts counts;
   counts.tint = static_cast<ui::Tint>(settings.draw.colour);
   counts.depths = counts.tint == ui::Tint::kLevel ? levels : document.depths.histogram();
+  if (settings.distance != nullptr) {
+    counts.distance =
+        ui::DistanceFigures{settings.distance->to_limit, settings.distance->from_limit,
+                            document.control->bounds().diagonal(), settings.distance->is_settled};
+  }
   if (settings.has_creases) {
     counts.creases = count_creases(*document.control);
   }
@@ -118,7 +123,14 @@ Result<render::Image> draw_document(const Document& document, Derived& derived,
     refined_creases.upload(refined_lines);
   }
 
+  render::FaceDistances distances;
+  if (settings.distance != nullptr && draws_refined) {
+    distances.upload(*derived.refinement->mesh, settings.distance->of_faces,
+                     settings.distance->greatest());
+  }
+
   render::Scene scene;
+  scene.distances = distances.count() > 0 ? &distances : nullptr;
   scene.surface = draws_refined ? &refined_buffers : &control_buffers;
   scene.paint = &paint;
   scene.cage = settings.show == Show::kBoth ? &control_buffers : nullptr;

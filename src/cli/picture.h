@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "cli/gpu_refinement.h"
 #include "cli/input.h"
+#include "limn/comparison/limit_distance.h"
 #include "limn/error.h"
 #include "limn/mesh/refined_mesh.h"
 #include "render/camera.h"
@@ -21,6 +23,8 @@ struct PictureSettings {
   bool has_illegal = false;  ///< Illegal faces hatched, their vertices as dots.
   bool has_creases = true;   ///< Sharp edges and vertices, coloured by sharpness.
   bool has_legend = false;
+  /// Of the refinement in `derived`, for FaceColour::kDistance.
+  std::shared_ptr<const LimitDistance> distance;
   /// Refine on the GPU what is shown, as far as this; nothing: show what `derived` has refined.
   std::optional<GpuReach> on_gpu;
 };

@@ -43,6 +43,19 @@ struct Drawable {
   nlohmann::ordered_json report;
 };
 
+/// How far it is from the limit surface.
+Result<LimitDistance> measure_refinement(const Document& document, const Derived& derived,
+                                         int levels) {
+  if (!derived.refinement) {
+    return fail(ErrorKind::kUsage,
+                "Nothing is refined that could be coloured by its distance from the limit surface; "
+                "give --paint.");
+  }
+  TerminalProgress progress;
+  return measure_limit_distance(*document.control, labels_up_to(derived.labels, levels),
+                                document.settings, *derived.refinement->mesh, progress);
+}
+
 /// The painting, refined.
 Result<Drawable> make_refinement(const RenderOptions& options, const Project& project) {
   PaintingOptions painting = options.painting;
@@ -53,9 +66,19 @@ Result<Drawable> make_refinement(const RenderOptions& options, const Project& pr
     picture.on_gpu = GpuReach{painting.levels, painting.face_budget};
     painting.levels = 0;  // Labels alone.
   }
-  return derive(project, painting).map([&](Derived&& derived) {
-    return Drawable{project.document, std::move(derived), picture, {}};
-  });
+  Result<Derived> derived = derive(project, painting);
+  if (!derived) {
+    return tl::unexpected(std::move(derived.error()));
+  }
+  if (picture.draw.colour == render::FaceColour::kDistance) {
+    Result<LimitDistance> distance =
+        measure_refinement(project.document, *derived, painting.levels);
+    if (!distance) {
+      return tl::unexpected(std::move(distance.error()));
+    }
+    picture.distance = std::make_shared<const LimitDistance>(*std::move(distance));
+  }
+  return Drawable{project.document, *std::move(derived), picture, {}};
 }
 
 /// The mesh, subdivided by a scheme.
@@ -183,13 +206,16 @@ void add_render_command(CLI::App& program, Work& work) {
       ->default_str("on");
   using Colour = render::FaceColour;
   command
-      ->add_option(
-          "--colours", picture.draw.colour,
-          "depth (as painted), level (how often each refined face was subdivided), or none")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Colour>{{"depth", Colour::kDepth},
-                                                                        {"level", Colour::kLevel},
-                                                                        {"none", Colour::kPlain}})
-                      .description(""))
+      ->add_option("--colours", picture.draw.colour,
+                   "depth (as painted), level (how often each refined face was subdivided), "
+                   "distance (of each "
+                   "refined face from the limit surface), or none")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Colour>{{"depth", Colour::kDepth},
+                                                                {"level", Colour::kLevel},
+                                                                {"distance", Colour::kDistance},
+                                                                {"none", Colour::kPlain}})
+              .description(""))
       ->type_name("WORD")
       ->default_str("depth");
   using render::Material;
@@ -222,6 +248,12 @@ void add_render_command(CLI::App& program, Work& work) {
   add_render_scheme_options(*command, options->scheme);
   command->callback([options, &work] {
     check_scheme_options(options->scheme);
+    if (options->picture.draw.colour == Colour::kDistance &&
+        (options->scheme.scheme || options->refine_on == RefineOn::kGpu ||
+         options->picture.show == Show::kControl)) {
+      throw CLI::ValidationError("--colours",
+                                 "distance is of what is painted, refined on the cpu and shown");
+    }
     if (const int levels = options->painting.levels;
         options->scheme.scheme && levels != kAllLevels && levels > kMostSchemeLevels) {
       throw CLI::ValidationError(

@@ -10,9 +10,11 @@ enum class Shading {
 };
 
 enum class FaceColour {
-  kDepth,  ///< The depth painted on the control face, in the depth palette.
-  kLevel,  ///< The level a refined face was made at, in the same palette.
-  kPlain,  ///< Clay all over.
+  kDepth,     ///< The depth painted on the control face, in the depth palette.
+  kLevel,     ///< The level a refined face was made at, in the same palette.
+  kPlain,     ///< Clay all over.
+  kDistance,  ///< How far a refined face is from the limit surface (Scene::distances), in the
+              ///< palette of distances; where that is not known, as kPlain.
 };
 
 /// What the surface seems to be made of. All but the first are matcaps: light and material as one

@@ -1,6 +1,9 @@
 #include "render/frame_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "limn/comparison/distance_palette.h"
 
 namespace limn::render {
 namespace {
@@ -14,6 +17,7 @@ constexpr std::int32_t kColourByLevel = 16;
 constexpr std::int32_t kShowIllegal = 32;
 constexpr std::int32_t kFilled = 64;
 constexpr std::int32_t kMaterialShift = 7;
+constexpr std::int32_t kColourByDistance = 512;
 
 constexpr Rgb kClay{0xc4, 0x8a, 0x6c};
 constexpr Rgb kStone{0x4a, 0x4e, 0x57};
@@ -39,6 +43,7 @@ std::int32_t option_bits(const DrawSettings& settings) {
   bits |= settings.has_wireframe ? kWireframe : 0;
   bits |= settings.colour == FaceColour::kDepth ? kColourByDepth : 0;
   bits |= settings.colour == FaceColour::kLevel ? kColourByLevel : 0;
+  bits |= settings.colour == FaceColour::kDistance ? kColourByDistance : 0;
   bits |= settings.shows_illegal_faces ? kShowIllegal : 0;
   bits |= settings.has_faces ? kFilled : 0;
   bits |= static_cast<std::int32_t>(settings.material) << kMaterialShift;
@@ -85,6 +90,9 @@ FrameUniforms frame_uniforms(const Camera& camera, const glm::dvec3& origin,
     const Rgb colour = depth > 0 ? depth_palette()[depth] : colour_of(settings.material);
     frame.palette[depth] = linear_rgb(colour);
     frame.palette_text[depth] = srgb(text_colour_on(colour));
+  }
+  if (settings.colour == FaceColour::kDistance) {
+    std::ranges::transform(distance_palette(), frame.palette.begin(), linear_rgb);
   }
   for (std::size_t band = 0; band < frame.valences.size(); ++band) {
     frame.valences[band] = srgb(valence_palette()[band]);

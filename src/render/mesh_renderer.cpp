@@ -72,7 +72,11 @@ MeshRenderer::MeshRenderer()
       ring_program_(load_program("ring.vert.glsl", "ring.frag.glsl")) {}
 
 void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const Scene& scene,
-                        const DrawSettings& settings) {
+                        const DrawSettings& wanted) {
+  DrawSettings settings = wanted;
+  if (settings.colour == FaceColour::kDistance && scene.distances == nullptr) {
+    settings.colour = FaceColour::kPlain;
+  }
   LIMN_EXPECTS(camera.size.width == target.size().x && camera.size.height == target.size().y);
   LIMN_EXPECTS(scene.surface == nullptr || scene.paint != nullptr);
 
@@ -129,6 +133,10 @@ void MeshRenderer::draw_surface(const Scene& scene, const DrawSettings& settings
   LIMN_EXPECTS(scene.paint->face_count() == scene.surface->control_face_count());
   surface_program_.use();
   scene.paint->bind();
+  if (scene.distances != nullptr) {
+    LIMN_EXPECTS(scene.distances->count() == scene.surface->face_count());
+    scene.distances->bind();
+  }
   if (!settings.has_faces) {
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   }

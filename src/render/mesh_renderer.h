@@ -12,6 +12,7 @@
 #include "render/gl/vertex_array.h"
 #include "render/render_target.h"
 #include "render/surface/crease_lines.h"
+#include "render/surface/face_distances.h"
 #include "render/surface/face_paint.h"
 #include "render/surface/markers.h"
 #include "render/surface/numbered_faces.h"
@@ -37,10 +38,11 @@ struct OverlaySegment {
 
 /// What is drawn; borrowed for the call. All surfaces and markers have the same origin.
 struct Scene {
-  const SurfaceBuffers* surface = nullptr;  ///< Nothing: the background alone.
-  const FacePaint* paint = nullptr;         ///< Needed where there is a surface.
-  const SurfaceBuffers* cage = nullptr;     ///< A control surface whose edges lie over `surface`.
-  const CreaseBuffers* creases = nullptr;   ///< Of `surface`.
+  const SurfaceBuffers* surface = nullptr;   ///< Nothing: the background alone.
+  const FacePaint* paint = nullptr;          ///< Needed where there is a surface.
+  const FaceDistances* distances = nullptr;  ///< Of the faces of `surface`, for kDistance.
+  const SurfaceBuffers* cage = nullptr;      ///< A control surface whose edges lie over `surface`.
+  const CreaseBuffers* creases = nullptr;    ///< Of `surface`.
   const CreaseBuffers* cage_creases = nullptr;  ///< Of `cage`.
   /// Where numbers are drawn: on these faces of `surface` alone, and not on every one.
   const NumberedFaces* numbered = nullptr;

@@ -137,6 +137,8 @@ enum class ActionId : std::uint8_t {
   kTintDepth,
   kTintLevel,
   kTintNone,
+  kTintDistance,
+  kMeasureDistance,  ///< Of the refined mesh from the limit surface.
   kMaterialStudio,
   kMaterialClay,
   kMaterialDark,

@@ -273,6 +273,12 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "the seams between depths run."},
     {kTintNone, kDisplay, kNothing, "No colours",
      "Show the surface in its material alone, whatever is painted."},
+    {kTintDistance, kDisplay, kNothing, "Colour by distance",
+     "Colour each refined face by how far it is from the limit surface, the smooth surface that "
+     "subdividing for ever would give. Measured again whenever the refined mesh changes."},
+    {kMeasureDistance, kDisplay, kNothing, "Measure",
+     "Measure how far the refined mesh is from the limit surface, both ways: the greatest distance "
+     "and the root of the mean square."},
     {kMaterialStudio, kDisplay, kNothing, "Studio",
      "A matt surface under a key light, a fill and a rim. Depth colours are seen best."},
     {kMaterialClay, kDisplay, kNothing, "Clay",

@@ -106,6 +106,8 @@ bool is_available(const Model& model, const Action& action) {
       return document.scheme && model.scheme.misfit && model.scheme.misfit->fitting;
     case ActionId::kCompareSphere:
       return document.scheme && !model.scheme.misfit && !model.sphere.running;
+    case ActionId::kMeasureDistance:
+      return model.distance.can_measure && !model.distance.running;
     case ActionId::kNextFlaw:
     case ActionId::kPreviousFlaw:
       if (const auto* kind = std::get_if<int>(&action.value)) {
@@ -247,6 +249,8 @@ bool is_checked(const Model& model, const Action& action) {
       return display.tint == Tint::kLevel;
     case ActionId::kTintNone:
       return display.tint == Tint::kNone;
+    case ActionId::kTintDistance:
+      return display.tint == Tint::kDistance;
     case ActionId::kMaterialStudio:
       return display.material == Material::kStudio;
     case ActionId::kMaterialClay:

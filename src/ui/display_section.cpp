@@ -27,7 +27,7 @@ void draw_display_section(PanelContext& context) {
   action_toggle(context, kCompareUniform, room());
   sub_heading(context, "Face colours");
   action_choice(context, std::array{Choice{kTintDepth, "Depth"}, Choice{kTintLevel, "Level"},
-                                    Choice{kTintNone, "None"}});
+                                    Choice{kTintDistance, "Distance"}, Choice{kTintNone, "None"}});
   sub_heading(context, "Material");
   action_choice(context,
                 std::array{Choice{kMaterialStudio, "Studio"}, Choice{kMaterialClay, "Clay"},

@@ -60,4 +60,12 @@ std::string percent_text(double part, double whole) {
                      percent);
 }
 
+std::string distance_text(double distance) {
+  return fmt::format("{:.3g}", distance);
+}
+
+std::string diagonal_text(double distance, double diagonal) {
+  return diagonal > 0.0 ? fmt::format("{:.3g} %", 100.0 * distance / diagonal) : "–";
+}
+
 }  // namespace limn::ui

@@ -28,4 +28,9 @@ template <std::signed_integral T>
 /// part / whole as "31 %"; "0.4 %" under one; "–" where whole is 0.
 [[nodiscard]] std::string percent_text(double part, double whole);
 
+/// "0.00123", "1.2e-06": three figures.
+[[nodiscard]] std::string distance_text(double distance);
+/// A distance as a part of the mesh's diagonal: "0.052 %".
+[[nodiscard]] std::string diagonal_text(double distance, double diagonal);
+
 }  // namespace limn::ui

@@ -266,7 +266,14 @@ void Gui::frame_legend(const LegendCounts& counts, Theme theme, WindowSize image
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float bottom = static_cast<float>(image.height) - margin;
   float left = margin;
-  if (counts.tint != Tint::kNone) {
+  if (counts.tint == Tint::kDistance) {
+    if (counts.distance) {
+      const WindowSize size = distance_legend_size(look);
+      draw_distance_legend(list, look, *counts.distance,
+                           {left, bottom - static_cast<float>(size.height)});
+      left += static_cast<float>(size.width) + margin / 2.0F;
+    }
+  } else if (counts.tint != Tint::kNone) {
     const WindowSize size = legend_size(look, counts.tint);
     draw_legend(list, look, counts, {left, bottom - static_cast<float>(size.height)});
     left += static_cast<float>(size.width) + margin / 2.0F;

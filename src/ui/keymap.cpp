@@ -145,6 +145,7 @@ std::vector<Binding> shared_bindings() {
       {{Key::kF5, kPlain}, kTintDepth},
       {{Key::kF6, kPlain}, kTintLevel},
       {{Key::kF7, kPlain}, kTintNone},
+      {{Key::kF7, kShift}, kTintDistance},
       {{Key::kF8, kPlain}, kCompareUniform},
       {{Key::kRightArrow, kPlain}, kSchemeForward},
       {{Key::kLeftArrow, kPlain}, kSchemeBack},

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "limn/comparison/distance_palette.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 
@@ -42,6 +43,12 @@ std::size_t count_of_line(const LegendCounts& counts, int line) {
 
 float crease_legend_width(const LegendLook& look) {
   return 168.0F * look.unit;
+}
+
+constexpr int kDistanceLines = 5;
+
+float distance_legend_width(const LegendLook& look) {
+  return 196.0F * look.unit;
 }
 
 float valence_legend_width(const LegendLook& look) {
@@ -82,14 +89,21 @@ class Lines {
         look_.colours.dim_text, text);
     ++line_;
   }
+  /// Two figures beside it; goes on to the next line.
+  void figures(const std::string& name, const std::string& figure) {
+    put(name, figure, look_.colours.text);
+  }
   /// The text beside it; goes on to the next line.
   void text(const std::string& name, std::size_t count) {
+    put(name, grouped(count), count > 0 ? look_.colours.text : faded(look_.colours.dim_text, 0.6F));
+  }
+
+ private:
+  void put(const std::string& name, const std::string& figure, ImU32 ink) {
     const float top = origin_.y + metrics_.padding + static_cast<float>(line_) * metrics_.line;
     const float y = std::floor(top + (metrics_.line - height_) / 2.0F);
     ImFont* font = look_.fonts.small;
-    const ImU32 ink = count > 0 ? look_.colours.text : faded(look_.colours.dim_text, 0.6F);
     list_.AddText(font, height_, {swatch().high.x + 8.0F * look_.unit, y}, ink, name.c_str());
-    const std::string figure = grouped(count);
     const float figure_width = font->CalcTextSizeA(height_, 1.0e6F, 0.0F, figure.c_str()).x;
     list_.AddText(font, height_,
                   {std::floor(origin_.x + width_ - metrics_.padding - figure_width), y}, ink,
@@ -97,7 +111,6 @@ class Lines {
     ++line_;
   }
 
- private:
   ImDrawList& list_;
   const LegendLook& look_;
   ImVec2 origin_;
@@ -166,6 +179,39 @@ void draw_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& c
     const auto [low, high] = lines.swatch();
     list.AddRectFilled(low, high, swatch_colour(line), 3.0F * look.unit);
     lines.text(line_name(line), count_of_line(counts, line));
+  }
+}
+
+WindowSize distance_legend_size(const LegendLook& look) {
+  return size_of(look, distance_legend_width(look), kDistanceLines + 1);
+}
+
+void draw_distance_legend(ImDrawList& list, const LegendLook& look, const DistanceFigures& figures,
+                          ImVec2 origin) {
+  Lines lines(list, look, origin, distance_legend_size(look));
+  lines.title("Distance to the limit");
+  const auto [top, unused_high] = lines.swatch();
+  ImVec2 foot = top;
+  for (int line = 0; line < kDistanceLines; ++line) {
+    foot.y = lines.swatch().high.y;
+    const double part = 1.0 - static_cast<double>(line) / (kDistanceLines - 1);
+    const double distance = part * figures.greatest();
+    lines.figures(line + 1 < kDistanceLines ? distance_text(distance) : "0",
+                  line + 1 < kDistanceLines ? diagonal_text(distance, figures.diagonal) : "0 %");
+  }
+  // A bar beside all lines, the greatest on top.
+  const float width = metrics(look).swatch;
+  constexpr int kPieces = 2 * (kDistanceLines - 1);
+  const auto colour = [](int piece) {
+    const Rgb at = distance_colour(1.0 - static_cast<double>(piece) / kPieces);
+    return IM_COL32(at.red, at.green, at.blue, 0xFF);
+  };
+  for (int piece = 0; piece < kPieces; ++piece) {
+    const auto y = [&](int i) {
+      return std::floor(top.y + (foot.y - top.y) * static_cast<float>(i) / kPieces);
+    };
+    list.AddRectFilledMultiColor({top.x, y(piece)}, {top.x + width, y(piece + 1)}, colour(piece),
+                                 colour(piece), colour(piece + 1), colour(piece + 1));
   }
 }
 

@@ -101,7 +101,7 @@ void view_menu(PanelContext& context) {
   ImGui::Separator();
   items(context, {kCompareUniform});
   if (begin_menu(context, "Face colours")) {
-    items(context, {kTintDepth, kTintLevel, kTintNone});
+    items(context, {kTintDepth, kTintLevel, kTintDistance, kTintNone});
     ImGui::EndMenu();
   }
   if (begin_menu(context, "Material")) {

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "limn/comparison/directed_distance.h"
 #include "limn/comparison/sphere_fit.h"
 #include "limn/document/scheme_refinement.h"
 #include "limn/document/view_state.h"
@@ -41,9 +42,10 @@ enum class ShowMode : std::uint8_t {
 enum class Theme : std::uint8_t { kDark, kLight };
 /// What colours the faces.
 enum class Tint : std::uint8_t {
-  kDepth,  ///< The depth painted on the control face.
-  kLevel,  ///< How many times the refined face has been subdivided.
-  kNone,   ///< Nothing: the material alone.
+  kDepth,     ///< The depth painted on the control face.
+  kLevel,     ///< How many times the refined face has been subdivided.
+  kNone,      ///< Nothing: the material alone.
+  kDistance,  ///< How far the refined face is from the limit surface.
 };
 /// What the surface seems to be made of.
 enum class Material : std::uint8_t { kStudio, kClay, kDark, kShiny };
@@ -225,6 +227,25 @@ struct SphereStatus {
   std::string problem;  ///< Why there is none; empty where nothing went wrong.
 };
 
+/// How far the refined mesh shown is from its limit surface, in units of the mesh.
+struct DistanceFigures {
+  DirectedDistance to_limit;
+  DirectedDistance from_limit;
+  double diagonal = 1.0;  ///< Of the control mesh.
+  bool is_settled = true;
+
+  [[nodiscard]] double greatest() const noexcept { return greatest_of(to_limit, from_limit); }
+  [[nodiscard]] double root_mean_square() const noexcept {
+    return root_mean_square_of(to_limit, from_limit);
+  }
+};
+struct DistanceStatus {
+  std::optional<double> running{};  ///< 0..1.
+  std::optional<DistanceFigures> figures{};
+  std::string problem{};     ///< Why there are none; empty where nothing went wrong.
+  bool can_measure = false;  ///< A refinement is shown that has a limit surface to be held against.
+};
+
 struct HistoryStatus {
   std::string undo_name;  ///< Empty where there is nothing to undo.
   std::string redo_name;
@@ -365,6 +386,7 @@ struct LegendCounts {
   CreaseCounts creases{};
   ValenceCounts valences{};
   Tint tint = Tint::kDepth;  ///< What colours the faces; with kNone there is no legend of it.
+  std::optional<DistanceFigures> distance{};  ///< With kDistance; without, there is none either.
 };
 
 /// Everything the panels read in one frame. They change nothing: what a person wants comes back as
@@ -394,6 +416,7 @@ struct Model {
   SchemeStatus scheme{};
   SecondStatus second{};
   SphereStatus sphere{};
+  DistanceStatus distance{};
   HistoryStatus history{};
   std::optional<HoverInfo> hover{};
   std::optional<EdgeHover> hover_edge{};

@@ -127,6 +127,36 @@ void refined_rows(PanelContext& context) {
   });
 }
 
+void distance_rows(PanelContext& context) {
+  const DistanceStatus& status = context.model.distance;
+  if (status.running) {
+    draw_progress(context, {*status.running, "Measuring"}, std::nullopt);
+    return;
+  }
+  const std::optional<DistanceFigures>& figures = status.figures;
+  const auto row = [&](std::string_view label, std::string_view meaning, double distance) {
+    value_row(context, {label,
+                        figures ? distance_text(distance) + " · " +
+                                      diagonal_text(distance, figures->diagonal)
+                                : std::string(kNothing),
+                        meaning});
+  };
+  row("Greatest",
+      "The farthest that a point of the refined mesh is from the limit surface, or a point of that "
+      "from the mesh; in units of the mesh, and as a part of its diagonal.",
+      figures ? figures->greatest() : 0.0);
+  row("R.m.s.", "The root of the mean square of these distances, over the area of both surfaces.",
+      figures ? figures->root_mean_square() : 0.0);
+  action_button(context, ActionId::kMeasureDistance,
+                {.label = figures ? "Measure again" : "Measure", .width = context.px(120)});
+  if (!status.problem.empty()) {
+    wrapped_text(context, context.colours.problem, status.problem);
+  } else if (figures && !figures->is_settled) {
+    wrapped_text(context, context.colours.problem,
+                 "The figures still changed by more than 1 % with the last samples.");
+  }
+}
+
 }  // namespace
 
 void draw_numbers_section(PanelContext& context) {
@@ -137,6 +167,9 @@ void draw_numbers_section(PanelContext& context) {
   sub_heading(context, context.model.refinement.result ? "Refined mesh"
                                                        : "Refined mesh: none yet, paint for one");
   refined_rows(context);
+  ImGui::Dummy({0.0F, context.px(8)});
+  sub_heading(context, "Distance to the limit surface");
+  distance_rows(context);
   ImGui::Dummy({0.0F, context.px(8)});
   sub_heading(context, "Program");
   value_row(context, {"Frame", seconds_text(context.model.frame_seconds),

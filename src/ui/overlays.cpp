@@ -60,6 +60,10 @@ void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& loo
       next(legend_size(look, tint), [&](ImVec2 at) { draw_legend(list, look, counts, at); });
     }
   }
+  if (tint == Tint::kDistance && model.distance.figures) {
+    next(distance_legend_size(look),
+         [&](ImVec2 at) { draw_distance_legend(list, look, *model.distance.figures, at); });
+  }
   if (model.display.creases && has_creases(model.crease_counts)) {
     next(crease_legend_size(look),
          [&](ImVec2 at) { draw_crease_legend(list, look, model.crease_counts, at); });

@@ -75,6 +75,11 @@ struct LegendLook {
 [[nodiscard]] WindowSize legend_size(const LegendLook& look, Tint tint);
 void draw_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,
                  ImVec2 origin);
+/// Of distances: the colours from nothing to the greatest, in units of the mesh and as parts of its
+/// diagonal.
+[[nodiscard]] WindowSize distance_legend_size(const LegendLook& look);
+void draw_distance_legend(ImDrawList& list, const LegendLook& look, const DistanceFigures& figures,
+                          ImVec2 origin);
 /// The same in two rows, for a viewport too small for a column.
 [[nodiscard]] WindowSize compact_legend_size(const LegendLook& look);
 void draw_compact_legend(ImDrawList& list, const LegendLook& look, const LegendCounts& counts,

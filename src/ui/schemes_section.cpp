@@ -38,17 +38,6 @@ std::string count_text(std::uint64_t count, float width) {
                                : fmt::format("{:.1e}", value);
 }
 
-/// Text over several lines in the room there is.
-void wrapped_text(const PanelContext& context, ImU32 colour, std::string_view text) {
-  ImGui::PushFont(context.fonts.small);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
-}
-
 /// Every scheme once, with the choices it has now; what stands for none first.
 std::vector<ComboEntry> scheme_entries(const Model& model) {
   std::vector<ComboEntry> entries{

@@ -412,4 +412,14 @@ void value_row(PanelContext& context, const ValueRow& row) {
   explain(context, row.label, row.meaning);
 }
 
+void wrapped_text(const PanelContext& context, ImU32 colour, std::string_view text) {
+  ImGui::PushFont(context.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
 }  // namespace limn::ui

@@ -70,6 +70,9 @@ void action_slider(PanelContext& context, ActionId id, double value, const Slide
 /// Dim lines in the place of what is not there yet: what would fill it.
 void empty_note(PanelContext& context, std::string_view text);
 
+/// Text over several lines in the room there is.
+void wrapped_text(const PanelContext& context, ImU32 colour, std::string_view text);
+
 /// A dim heading within a section.
 void sub_heading(PanelContext& context, std::string_view text);
 

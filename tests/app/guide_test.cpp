@@ -169,6 +169,7 @@ std::string keys_of(const std::string& word) {
       {"kTintDepth", kTintDepth},
       {"kTintLevel", kTintLevel},
       {"kTintNone", kTintNone},
+      {"kTintDistance", kTintDistance},
       {"kCompareUniform", kCompareUniform},
       {"kStepNext", kStepNext},
       {"kStepPrevious", kStepPrevious},

@@ -64,6 +64,13 @@ TEST_F(Render, TheLegendCountsTheFacesOfEachDepth) {
                              "cli_legend"));
 }
 
+TEST_F(Render, DistanceFromTheLimitHasColoursAndALegend) {
+  EXPECT_TRUE(matches_golden(picture({"mixed", "--paint", "faces=0-8:+2", "--non-quads",
+                                      "where-painted", "--colours", "distance", "--legend"}),
+                             "cli_distance"));
+  EXPECT_EQ(limn({"render", "cube", "--colours", "distance", "-o", "unwritten.png"}).exit_code, 2);
+}
+
 TEST_F(Render, CreasesHaveALegendOfTheirOwn) {
   const Words creased = {"teapot",        "--crease", "angle>20:=0.5", "--crease",
                          "angle>30:=2.5", "--crease", "angle>50:=inf", "--show",

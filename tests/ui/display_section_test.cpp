@@ -35,6 +35,27 @@ TEST(DisplaySection, UniformBesideIsAToggle) {
   EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kCompareUniform, false)));
 }
 
+TEST(DisplaySection, DistanceIsATint) {
+  Screen screen({1280, 2000});
+  screen.click("Distance");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kTintDistance)));
+}
+
+TEST(NumbersSection, MeasuresTheDistanceToTheLimit) {
+  Screen screen({1280, 3000});
+  screen.click("Measure");  // Nothing is refined.
+  EXPECT_THAT(screen.take_actions(), testing::IsEmpty());
+  screen.model.distance.can_measure = true;
+  screen.settle();
+  screen.click("Measure");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kMeasureDistance)));
+  screen.model.distance.running = 0.4;
+  screen.settle();
+  EXPECT_FALSE(screen.has("Measure"));
+  screen.click("Cancel");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kCancel)));
+}
+
 TEST(NumbersSection, WhatIsAmissCanBeLedTo) {
   Screen screen({1280, 3000});
   EXPECT_FALSE(screen.has("next boundary loop"));

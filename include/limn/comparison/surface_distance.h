@@ -20,7 +20,7 @@ struct SurfaceDistance {
   DirectedDistance to_other;    ///< From the first surface to the second.
   DirectedDistance from_other;  ///< From the second to the first.
   bool is_settled = false;      ///< Whether the last doubling of the samples changed all figures by
-                            ///< less than what was asked.
+                                ///< less than what was asked.
 
   [[nodiscard]] double greatest() const noexcept { return greatest_of(to_other, from_other); }
   [[nodiscard]] double root_mean_square() const noexcept {

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "app/mailbox.h"
+#include "limn/comparison/limit_distance.h"
+#include "limn/document/refinement.h"
+#include "ui/model.h"
+
+namespace limn::app {
+
+/// Measures how far a refined mesh is from its limit surface, on a thread of its own, and keeps the
+/// last answer.
+class DistanceJob {
+ public:
+  /// `wake` is called from the worker whenever there is something new to look at.
+  /// `arrivals` is that of its Mailbox, "distance".
+  explicit DistanceJob(std::function<void()> wake, Arrivals* arrivals = nullptr)
+      : wake_(std::move(wake)), answers_("distance", arrivals) {}
+  /// Gives up what runs and waits for it to notice.
+  ~DistanceJob() { cancel(); }
+  DistanceJob(const DistanceJob&) = delete;
+  DistanceJob& operator=(const DistanceJob&) = delete;
+
+  /// What is measured: a refinement of what is painted, to so many levels.
+  struct Question {
+    std::shared_ptr<const ControlMesh> control;
+    std::shared_ptr<const DerivedLabels> labels;
+    std::shared_ptr<const RefinedMesh> mesh;
+    SubdivisionSettings settings;
+    int levels = 0;
+
+    [[nodiscard]] bool operator==(const Question&) const = default;
+  };
+  /// Gives up what runs and begins anew.
+  void start(Question question);
+  void cancel();
+  /// The same for good: the question counts as asked.
+  void give_up();
+  void wait();
+  /// Takes in what was found; true where there was anything.
+  bool update();
+
+  /// Whether an answer is on its way.
+  [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
+  /// Whether this has been asked, whatever came of it.
+  [[nodiscard]] bool has_been_asked(const Question& question) const {
+    return question_ == question && (is_busy_ || is_answered_);
+  }
+  /// For the panels, where the question is still this one.
+  [[nodiscard]] ui::DistanceStatus status(const Question& current) const;
+  /// Of the faces of `mesh`; null where they are not known.
+  [[nodiscard]] const LimitDistance* distance(const RefinedMesh* mesh) const noexcept {
+    return mesh != nullptr && question_.mesh.get() == mesh ? answer_.distance.get() : nullptr;
+  }
+  /// Counts up with every answer.
+  [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
+
+ private:
+  class JobProgress;
+  void work(const std::stop_token& stop);
+
+  struct Answer {
+    std::shared_ptr<const LimitDistance> distance;  ///< Null where it could not be measured.
+    std::string problem;
+  };
+
+  std::function<void()> wake_;
+  Mailbox<Answer> answers_;
+  Question question_;
+  bool is_busy_ = false;
+  bool is_answered_ = false;
+  Answer answer_;  ///< The last one taken in.
+  std::uint64_t revision_ = 0;
+  std::atomic<double> fraction_ = 0.0;
+  std::jthread worker_;
+};
+
+}  // namespace limn::app

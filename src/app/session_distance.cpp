@@ -1,0 +1,55 @@
+// The distance of the refined mesh from its limit surface: measured when a person asks, and
+// whenever it colours the faces. The document does not change.
+#include "app/session.h"
+
+namespace limn::app {
+
+using enum ui::ActionId;
+
+bool Session::perform_measurement(const ui::Action& action) {
+  if (action.id != kMeasureDistance) {
+    return false;
+  }
+  if (auto question = distance_question()) {
+    distance_.start(*std::move(question));
+  } else {
+    toast(ui::Toast::Kind::kNote, "Paint for a refined mesh first: that is what is measured.");
+  }
+  return true;
+}
+
+std::optional<DistanceJob::Question> Session::distance_question() const {
+  const JobResult* refined = refinement_.refined();
+  if (!shows_refined() || refined->refinement == nullptr ||
+      refined->mesh->face_control_faces.empty() || !refined->labels->face_depths.empty()) {
+    return std::nullopt;  // Nothing, or made by another scheme.
+  }
+  SubdivisionSettings settings = document_.settings;
+  settings.scheme = RefinementScheme::kCatmullClark;
+  settings.corners = refined->mesh->corner_rule.value_or(settings.corners);
+  return DistanceJob::Question{refined->control, refined->labels, refined->mesh, settings,
+                               refined->prediction.levels};
+}
+
+ui::DistanceStatus Session::distance_status() const {
+  const std::optional<DistanceJob::Question> question = distance_question();
+  if (!question) {
+    return {};
+  }
+  ui::DistanceStatus status = distance_.status(*question);
+  status.can_measure = true;
+  return status;
+}
+
+/// While one paints there is no end to it: a stroke's last refined mesh is measured.
+void Session::follow_distance() {
+  if (display_.tint != ui::Tint::kDistance || is_stroking() || refinement_.is_busy()) {
+    return;
+  }
+  auto question = distance_question();
+  if (question && !distance_.has_been_asked(*question)) {
+    distance_.start(*std::move(question));
+  }
+}
+
+}  // namespace limn::app
