@@ -67,8 +67,8 @@ void LiveRefinement::follow(const Document& document, const Wish& wish) {
   submitted_scheme_ = scheme;
   submitted_levels_ = levels;
   is_waiting_ = true;
-  job_.submit({++serial_, document.control, document.depths, document.settings, scheme, levels,
-               std::max(budget_, raised_budget_),
+  job_.submit({++serial_, document.control, document.depths, document.demands, document.settings,
+               scheme, levels, std::max(budget_, raised_budget_),
                memory_budget_ ? *memory_budget_ : memory_budget()});
 }
 

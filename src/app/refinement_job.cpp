@@ -190,7 +190,8 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   if (request.scheme) {
     settings.scheme = RefinementScheme::kCatmullClark;  // Labels are shown, and take any mesh.
   }
-  auto labels = derive_labels(control, request.depths.values(), settings, progress);
+  auto labels =
+      derive_labels(control, request.depths.values(), settings, progress, request.demands);
   if (!labels) {
     publish_error(std::move(labels.error()));
     return;

@@ -19,6 +19,7 @@
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
 #include "limn/painting/face_depths.h"
+#include "limn/subdivision/fine_demands.h"
 
 namespace limn::render {
 struct Surface;
@@ -31,6 +32,7 @@ struct JobRequest {
   std::uint64_t serial = 0;  ///< The caller's number for this state of the document.
   std::shared_ptr<const ControlMesh> control;
   FaceDepths depths;
+  FineDemands demands;
   SubdivisionSettings settings;
   std::optional<SchemeSettings> scheme;  ///< Takes the mesh. Nothing: what is painted.
   int levels = 0;                        ///< 0: labels and their prediction only.

@@ -107,7 +107,7 @@ double Session::next_update() const noexcept {
 
 int Session::shown_levels() const noexcept {
   const bool follows_painting = display_.live && !document_.scheme && document_.stage.levels == 0;
-  return follows_painting && document_.depths.deepest() > 0 ? kAllLevels : document_.stage.levels;
+  return follows_painting && deepest_painting(document_) > 0 ? kAllLevels : document_.stage.levels;
 }
 
 LiveRefinement::Wish Session::wish() const noexcept {
@@ -197,7 +197,7 @@ bool Session::perform_edit(const ui::Action& action) {
     case kRevert:
       end_stroke();
       if (document_.control == document_.opened && document_.depths.deepest() == 0 &&
-          document_.stage == Stage{}) {
+          document_.demands.empty() && document_.stage == Stage{}) {
         toast(Kind::kNote, "This is the mesh as it was opened.");
       } else {
         execute(revert_command());

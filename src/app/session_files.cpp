@@ -11,6 +11,7 @@
 #include "limn/document/commands.h"
 #include "limn/document/export_settings.h"
 #include "limn/mesh/export.h"
+#include "ui/format.h"
 
 namespace limn::app {
 
@@ -144,7 +145,11 @@ void Session::replace_mesh(const fs::path& path) {
   if (const std::size_t lost = transfer.lost_faces.size(); lost > 0) {
     text += fmt::format(" {} painted face{} gone.", lost, lost == 1 ? " is" : "s are");
   }
-  const bool is_whole = transfer.new_faces.empty() && transfer.lost_faces.empty();
+  const std::size_t finer = document_.demands.size();
+  if (finer > 0) {
+    text += fmt::format(" {} on finer faces gone.", ui::counted(finer, "demand"));
+  }
+  const bool is_whole = transfer.new_faces.empty() && transfer.lost_faces.empty() && finer == 0;
   execute(reattach_command(std::move(transfer)));
   document_.mesh_path = path;
   toast(is_whole ? Kind::kDone : Kind::kNote, std::move(text));

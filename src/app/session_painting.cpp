@@ -80,14 +80,26 @@ void Session::paint(const PaintRule& rule, const std::string& what) {
     toast(Kind::kProblem, edits.error().message);
     return;
   }
-  if (edits->empty()) {
+  // Nothing is painted after that, on finer faces neither.
+  const auto* filter = std::get_if<DepthFilter>(&rule);
+  DemandEdits demands;
+  if (filter != nullptr && *filter == DepthFilter::kClear) {
+    demands = FineDemands().edits_from(document_.demands);
+  }
+  if (edits->empty() && demands.empty()) {
     toast(Kind::kNote, "No face changes by this.");
     return;
   }
   const std::size_t faces = edits->size();
+  const std::size_t finer = demands.removed.size();
   const std::string count = face_count(faces);
-  execute(paint_command(*std::move(edits), fmt::format("{} ({})", what, count)));
-  toast(Kind::kDone, fmt::format("{}: {} changed.", capitalised(what), ui::counted(faces, "face")));
+  execute(
+      paint_command(*std::move(edits), fmt::format("{} ({})", what, count), std::move(demands)));
+  std::string text = fmt::format("{}: {} changed.", capitalised(what), ui::counted(faces, "face"));
+  if (finer > 0) {
+    text += fmt::format(" {} on finer faces gone.", ui::counted(finer, "demand"));
+  }
+  toast(Kind::kDone, std::move(text));
 }
 
 bool Session::perform_creases(const ui::Action& action) {
@@ -214,7 +226,7 @@ bool Session::perform_subdivision(const ui::Action& action) {
 
 void Session::set_stage(Stage stage, std::string name) {
   end_stroke();
-  if (stage.levels > 0 && !document_.scheme && document_.depths.deepest() == 0) {
+  if (stage.levels > 0 && !document_.scheme && deepest_painting(document_) == 0) {
     toast(Kind::kNote, "Nothing is painted yet. Paint, and the refined mesh follows.");
   }
   if (stage.levels > 0 && display_.show == ui::ShowMode::kControl) {

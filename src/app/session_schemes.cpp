@@ -8,6 +8,7 @@
 #include "app/session.h"
 #include "limn/document/commands.h"
 #include "render/navigation.h"
+#include "ui/format.h"
 #include "ui/scheme_text.h"
 
 namespace limn::app {
@@ -93,7 +94,11 @@ bool Session::perform_scheme_choice(const ui::Action& action) {
       break;
     case kMakeFit:
       if (scheme_facts_.misfit() && scheme_facts_.misfit()->fitting) {
+        const std::size_t finer = document_.demands.size();
         execute(fit_command(document_, *scheme_facts_.misfit()->fitting));
+        if (finer > 0) {
+          toast(Kind::kNote, fmt::format("{} on finer faces gone.", ui::counted(finer, "demand")));
+        }
       } else {
         toast(Kind::kNote, "The faces are of the kind that the scheme takes.");
       }
@@ -130,7 +135,7 @@ void Session::show_scheme(std::optional<SchemeSettings> scheme) {
   if (!scheme) {
     stage.levels = before > 0 ? kAllLevels : 0;
   } else {
-    stage.levels = before == kAllLevels ? document_.depths.deepest() : before;
+    stage.levels = before == kAllLevels ? deepest_painting(document_) : before;
     stage.levels = std::min(stage.levels, kMostSchemeLevels);
     if (!check_fits(*document_.control, scheme->scheme)) {
       stage.levels = 0;
@@ -239,7 +244,7 @@ int Session::second_levels() const noexcept {
   // A first step that splits every face makes what is painted a level deeper.
   const DerivedLabels* labels = refinement_.labels();
   return display_.is_second_uniform && labels != nullptr ? labels->prediction.levels
-                                                         : document_.depths.deepest();
+                                                         : deepest_painting(document_);
 }
 
 void Session::follow_second() {

@@ -206,7 +206,7 @@ void Session::propose(std::span<const std::uint32_t> faces, DepthChange change) 
   proposal.amount = change.amount;
   proposal_ = proposal;
   forecast_.ask({document_.control, document_.depths, std::move(edits), document_.settings,
-                 shown_levels() > 0 ? shown_levels() : kAllLevels});
+                 shown_levels() > 0 ? shown_levels() : kAllLevels, document_.demands});
 }
 
 void Session::withdraw_proposal() {

@@ -1,12 +1,14 @@
 #include <memory>
 #include <string>
 
+#include <fmt/format.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/fine_option.h"
 #include "cli/input.h"
 #include "cli/mesh_output.h"
 #include "limn/document/export_settings.h"
@@ -26,6 +28,12 @@ Result<void> convert(const ConvertOptions& options) {
     print_import_report(document.import_report, options.input);
     if (options.output.path.ends_with(kProjectEnding)) {
       return save_project(options.output.path, document, project.view);
+    }
+    if (const auto demands = demands_text(document)) {
+      print_note(
+          fmt::format("{}: {} on faces finer than control faces stay behind; projects "
+                      "(.limn) hold them",
+                      options.input, *demands));
     }
     ExportSettings settings = export_settings(document);
     if (document.depths.deepest() == 0) {

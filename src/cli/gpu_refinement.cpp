@@ -26,6 +26,11 @@ Result<GpuDrawing> refine_on_gpu(const Document& document, const DerivedLabels& 
                 "The GPU refines by Catmull-Clark alone; leave out --refine-on gpu or --adaptive "
                 "loop.");
   }
+  if (labels.fine != nullptr) {
+    return fail(ErrorKind::kUsage,
+                "The GPU refines what is painted on control faces alone, and this painting has "
+                "demands on finer faces; leave out --refine-on gpu, or add --fine none.");
+  }
   const ControlMesh& control = *document.control;
   const VertexLabels& legal = labels.legal.labels;
   RefineLimits limits;

@@ -113,6 +113,7 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
       ->type_name("RULE")
       ->expected(1)
       ->take_all();
+  add_fine_option(command, options.fine);
   add_choice<RefinementScheme>(
       command, "--adaptive", options.adaptive,
       {{"catmull-clark", RefinementScheme::kCatmullClark}, {"loop", RefinementScheme::kLoop}},
@@ -207,6 +208,13 @@ Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFa
         !painted) {
       return tl::unexpected(std::move(painted.error()));
     }
+    if (const auto* filter = std::get_if<DepthFilter>(&rule);
+        filter != nullptr && *filter == DepthFilter::kClear) {
+      document.demands = {};
+    }
+  }
+  if (auto demanded = apply_fine_rules(document, options.fine); !demanded) {
+    return tl::unexpected(std::move(demanded.error()));
   }
   return project;
 }
@@ -237,8 +245,8 @@ Result<Derived> derive(const Project& project, const PaintingOptions& options) {
         document.name, scheme_info(document.scheme->scheme).title));
   }
   TerminalProgress progress;
-  Result<DerivedLabels> labels =
-      derive_labels(*document.control, document.depths.values(), document.settings, progress);
+  Result<DerivedLabels> labels = derive_labels(*document.control, document.depths.values(),
+                                               document.settings, progress, document.demands);
   if (!labels) {
     return tl::unexpected(std::move(labels.error()));
   }

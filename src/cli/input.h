@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/fine_option.h"
 #include "limn/document/project_file.h"
 #include "limn/document/refinement.h"
 #include "limn/error.h"
@@ -30,6 +31,7 @@ struct PaintingOptions {
   std::string input;
   std::vector<PaintRule> rules;     ///< In the order given.
   std::vector<CreaseRule> creases;  ///< In the order given.
+  std::vector<FineRule> fine;       ///< In the order given, after the rules.
   std::optional<RefinementScheme> adaptive;
   std::optional<LoopWeights> adaptive_weights;
   std::optional<LegalisationMethod> legalisation;
@@ -47,7 +49,8 @@ struct PaintingOptions {
 void add_input_option(CLI::App& command, std::string& input);
 void add_inputs_option(CLI::App& command, std::vector<std::string>& inputs);
 
-/// Adds --paint, --crease, --legalize, --non-quads, --corners, --positions, --texture, --levels,
+/// Adds --paint, --crease, --fine, --legalize, --non-quads, --corners, --positions, --texture,
+/// --levels,
 /// --budget, --memory and --threads.
 void add_painting_options(CLI::App& command, PaintingOptions& options);
 

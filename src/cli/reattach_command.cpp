@@ -10,6 +10,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/fine_option.h"
 #include "limn/document/commands.h"
 #include "limn/document/project_file.h"
 #include "limn/mesh/import.h"
@@ -71,6 +72,10 @@ Result<void> reattach(const ReattachOptions& options) {
   PaintingTransfer transfer =
       transfer_painting(*document.control, document.depths.values(), mesh->mesh);
   report(transfer, options);
+  if (const auto demands = demands_text(document)) {
+    print_note(fmt::format("{}: {} on faces finer than control faces stay behind", options.project,
+                           *demands));
+  }
   reattach_command(std::move(transfer))->apply(document);
   document.mesh_path = options.mesh;
   document.opened = document.control;

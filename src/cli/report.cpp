@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/fine_option.h"
 #include "limn/painting/crease_palette.h"
 #include "limn/subdivision/legalisation_trace.h"
 
@@ -208,6 +209,7 @@ Json refinement_report(const Document& document, const Derived& derived) {
   Json report = {
       {"control_faces", document.control->face_count()},
       {"faces_by_depth", by_depth},
+      {"demands", document.demands.size()},
       {"illegal_faces", labels.illegal_faces.size()},
       {"illegal_vertices", labels.illegal_vertices.size()},
       {"relabelled_vertices", labels.raised_vertices.size()},
@@ -266,6 +268,9 @@ std::string control_text(const Document& document) {
   table.row("texture", texture_text(counts));
   table.row("size", fmt::format("{:.6g} x {:.6g} x {:.6g}", size.x, size.y, size.z));
   table.row("painted", painted_text(document.depths));
+  if (const auto demands = demands_text(document)) {
+    table.row("finer than faces", *demands);
+  }
   return table.take();
 }
 
@@ -273,6 +278,9 @@ std::string refinement_text(const Document& document, const Derived& derived) {
   const RefinementPrediction counts = result_counts(document, derived);
   Table table;
   table.row("painted", painted_text(document.depths));
+  if (const auto demands = demands_text(document)) {
+    table.row("finer than faces", *demands);
+  }
   if (document.settings.scheme == RefinementScheme::kLoop) {
     table.count("faces deepened", derived.labels.deepened_faces);
   } else {

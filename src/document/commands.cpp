@@ -12,32 +12,36 @@ namespace {
 
 class PaintCommand final : public Command {
  public:
-  PaintCommand(std::vector<DepthEdit> edits, std::string name)
-      : edits_(std::move(edits)), name_(std::move(name)) {
+  PaintCommand(std::vector<DepthEdit> edits, std::string name, DemandEdits demands)
+      : edits_(std::move(edits)), demands_(std::move(demands)), name_(std::move(name)) {
     edits_.shrink_to_fit();
   }
 
   void apply(Document& document) override {
     apply_edits(document.depths, edits_);
+    document.demands.apply(demands_);
     count_up(document);
   }
   void revert(Document& document) override {
     revert_edits(document.depths, edits_);
+    document.demands.revert(demands_);
     count_up(document);
   }
   [[nodiscard]] std::size_t bytes() const noexcept override {
-    return sizeof(*this) + edits_.capacity() * sizeof(DepthEdit) + name_.capacity();
+    return sizeof(*this) + edits_.capacity() * sizeof(DepthEdit) + name_.capacity() +
+           (demands_.removed.capacity() + demands_.added.capacity()) * sizeof(FineDemand);
   }
   [[nodiscard]] std::string name() const override { return name_; }
 
  private:
   void count_up(Document& document) const {
-    if (!edits_.empty()) {
+    if (!edits_.empty() || !demands_.empty()) {
       ++document.revisions.depths;
     }
   }
 
   std::vector<DepthEdit> edits_;
+  DemandEdits demands_;
   std::string name_;
 };
 
@@ -112,8 +116,9 @@ class SchemeCommand final : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits, std::string name) {
-  return std::make_unique<PaintCommand>(std::move(edits), std::move(name));
+std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits, std::string name,
+                                       DemandEdits demands) {
+  return std::make_unique<PaintCommand>(std::move(edits), std::move(name), std::move(demands));
 }
 
 std::unique_ptr<Command> stage_command(Stage stage, std::string name) {

@@ -3,6 +3,7 @@
 #include "limn/document/commands.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <variant>
@@ -50,11 +51,12 @@ struct ControlState {
   std::shared_ptr<const ControlMesh> control;
   FaceDepths depths;
   Stage stage;
+  FineDemands demands;
 };
 
 ControlState unpainted(std::shared_ptr<const ControlMesh> control) {
   const std::size_t faces = control->face_count();
-  return {std::move(control), FaceDepths(faces), Stage{}};
+  return {std::move(control), FaceDepths(faces), Stage{}, {}};
 }
 
 /// Takes the given mesh, or the one that was opened where there is none given.
@@ -83,17 +85,20 @@ class ReplaceCommand final : public Command {
     swap_with(document);
   }
   [[nodiscard]] std::size_t bytes() const noexcept override {
-    return sizeof(*this) + mesh_bytes_ + other_.depths.size() + name_.capacity();
+    return sizeof(*this) + mesh_bytes_ + other_.depths.size() +
+           other_.demands.size() * sizeof(FineDemand) + name_.capacity();
   }
   [[nodiscard]] std::string name() const override { return name_; }
 
  private:
   void swap_with(Document& document) {
     const bool is_other_mesh = document.control != other_.control;
-    const bool is_other_painting = is_other_mesh || document.depths != other_.depths;
+    const bool is_other_painting =
+        is_other_mesh || document.depths != other_.depths || document.demands != other_.demands;
     const bool is_other_stage = document.stage != other_.stage;
     std::swap(document.control, other_.control);
     std::swap(document.depths, other_.depths);
+    std::swap(document.demands, other_.demands);
     std::swap(document.stage, other_.stage);
     document.revisions.control += is_other_mesh ? 1 : 0;
     document.revisions.depths += is_other_painting ? 1 : 0;
@@ -136,6 +141,18 @@ FaceDepths depths_after_split(const Document& document, std::uint32_t edge,
     }
   }
   return depths;
+}
+
+/// The demands on faces that are the same in another mesh.
+FineDemands demands_after(const Document& document, const ControlMesh& after) {
+  std::vector<FineDemand> kept;
+  std::ranges::copy_if(document.demands.all(), std::back_inserter(kept),
+                       [&](const FineDemand& demand) {
+                         const std::uint32_t f = demand.face.control_face;
+                         return f < after.face_count() &&
+                                std::ranges::equal(after.face(f), document.control->face(f));
+                       });
+  return FineDemands(kept);
 }
 
 /// The painting after a fitting, which puts what becomes of a face in that face's place.
@@ -196,8 +213,10 @@ Result<std::unique_ptr<Command>> split_edge_command(const Document& document, st
     return tl::unexpected(std::move(after.error()));
   }
   FaceDepths depths = depths_after_split(document, edge, **after);
+  FineDemands demands = demands_after(document, **after);
   return std::make_unique<ReplaceCommand>(
-      ControlState{*std::move(after), std::move(depths), document.stage}, "split edge");
+      ControlState{*std::move(after), std::move(depths), document.stage, std::move(demands)},
+      "split edge");
 }
 
 Result<std::unique_ptr<Command>> flip_edge_command(const Document& document, std::uint32_t edge) {
@@ -205,22 +224,25 @@ Result<std::unique_ptr<Command>> flip_edge_command(const Document& document, std
   if (!after) {
     return tl::unexpected(std::move(after.error()));
   }
+  FineDemands demands = demands_after(document, **after);
   return std::make_unique<ReplaceCommand>(
-      ControlState{*std::move(after), document.depths, document.stage}, "flip edge");
+      ControlState{*std::move(after), document.depths, document.stage, std::move(demands)},
+      "flip edge");
 }
 
 std::unique_ptr<Command> fit_command(const Document& document, Fitting fitting) {
   std::shared_ptr<const ControlMesh> after = make_fit(*document.control, fitting);
   FaceDepths depths = depths_after_fitting(document, fitting, *after);
   return std::make_unique<ReplaceCommand>(
-      ControlState{std::move(after), std::move(depths), Stage{}},
+      ControlState{std::move(after), std::move(depths), Stage{}, {}},
       fitting == Fitting::kTriangulate ? "triangulate" : "one Catmull-Clark step");
 }
 
 std::unique_ptr<Command> reattach_command(PaintingTransfer transfer) {
   LIMN_EXPECTS(transfer.mesh != nullptr);
   return std::make_unique<ReplaceCommand>(
-      ControlState{std::move(transfer.mesh), std::move(transfer.depths), Stage{}}, "replace mesh");
+      ControlState{std::move(transfer.mesh), std::move(transfer.depths), Stage{}, {}},
+      "replace mesh");
 }
 
 std::unique_ptr<Command> revert_command() {

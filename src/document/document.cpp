@@ -15,6 +15,16 @@ std::uint64_t first_revision() noexcept {
 
 }  // namespace
 
+int deepest_painting(const Document& document) noexcept {
+  int deepest = document.depths.deepest();
+  if (document.settings.scheme == RefinementScheme::kCatmullClark) {
+    for (const FineDemand& demand : document.demands.all()) {
+      deepest = std::max<int>(deepest, demand.depth);
+    }
+  }
+  return deepest;
+}
+
 std::optional<SchemeSettings> shown_scheme(const Document& document) noexcept {
   std::optional<SchemeSettings> scheme = document.scheme;
   if (scheme) {

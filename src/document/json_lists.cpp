@@ -25,10 +25,10 @@ constexpr std::size_t kDeepestNesting = 32;
 constexpr std::size_t kMostFields = 256;
 constexpr std::size_t kLongestQuote = 120;
 
-constexpr std::array<std::string_view, 18> kRootKeys{
-    "format", "version", "name",        "mesh_path",    "settings", "stage",
-    "view",   "depths",  "mesh",        "opened_mesh",  "target",   "distance",
-    "yaw",    "pitch",   "fov_degrees", "orthographic", "scheme",   "checksum"};
+constexpr std::array<std::string_view, 19> kRootKeys{
+    "format",      "version",      "name",        "mesh_path", "settings", "stage", "view",
+    "depths",      "mesh",         "opened_mesh", "target",    "distance", "yaw",   "pitch",
+    "fov_degrees", "orthographic", "scheme",      "checksum",  "demands"};
 
 std::string shortened(std::string text) {
   if (text.size() > kLongestQuote) {
@@ -214,7 +214,11 @@ class Reader final : public nlohmann::json_sax<json> {
 
   template <class T>
   void keep_element(const T& v) {
-    if (kind_ == nullptr) {
+    if (kind_ == nullptr && is_demands_) {
+      if (!keep_index(out_.demands, v)) {
+        misfit("must be a whole number from 0 on.");
+      }
+    } else if (kind_ == nullptr) {
       keep_depth(v);
     } else if (levels_.size() != list_level_ + (kind_->has_rows() ? 1 : 0)) {
       misfit(kind_->has_rows() ? kind_->row : kind_->element);
@@ -278,8 +282,9 @@ class Reader final : public nlohmann::json_sax<json> {
 
   /// Whether one of the long lists begins at the current path; sets which.
   bool is_list_here() {
-    if (levels_.size() == 1 && levels_[0].key == "depths") {
+    if (levels_.size() == 1 && (levels_[0].key == "depths" || levels_[0].key == "demands")) {
       kind_ = nullptr;
+      is_demands_ = levels_[0].key == "demands";
       return true;
     }
     if (levels_.size() != 2 || levels_[0].is_list || levels_[1].is_list) {
@@ -327,7 +332,7 @@ class Reader final : public nlohmann::json_sax<json> {
   void begin_list() {
     bool& is_there =
         kind_ == nullptr
-            ? out_.has_depths
+            ? (is_demands_ ? out_.has_demands : out_.has_depths)
             : std::visit([&](auto list) -> bool& { return (lists_->*list).is_there; }, kind_->list);
     if (is_there) {
       misfit("stands there twice.");
@@ -369,8 +374,9 @@ class Reader final : public nlohmann::json_sax<json> {
   bool is_misfit_ = false;  ///< The lists are not listened to any more.
   std::vector<Level> levels_;
   bool is_in_list_ = false;
-  const ListKind* kind_ = nullptr;  ///< Of the list; nullptr for the depths.
-  std::size_t list_level_ = 0;      ///< Size of `levels_` directly inside the list.
+  const ListKind* kind_ = nullptr;  ///< Of the list; nullptr for the depths and the demands.
+  bool is_demands_ = false;
+  std::size_t list_level_ = 0;  ///< Size of `levels_` directly inside the list.
   MeshLists* lists_ = nullptr;
 };
 

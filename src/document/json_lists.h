@@ -75,6 +75,8 @@ struct ProjectText {
   MeshLists opened_mesh;
   bool has_depths = false;
   std::vector<std::uint8_t> depths;  ///< 0..kMaxDepth.
+  bool has_demands = false;
+  std::vector<std::uint32_t> demands;  ///< Six numbers each (FineDemand). Not checked.
   /// The first thing in a list that does not belong there. Kept apart from syntax errors, because a
   /// file in a newer format may put other things there, and then its version is what to complain
   /// about.

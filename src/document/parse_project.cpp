@@ -1,7 +1,9 @@
 // Read in one pass (json_lists.h), then checked from the outside in: format, version, checksum,
 // lists, settings, and last the mesh itself, by the same builder that mesh files go through.
+#include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -18,6 +20,8 @@
 
 namespace limn {
 namespace {
+
+constexpr std::size_t kDemandNumbers = 6;
 
 /// "Not ours" and "newer than this program" come before any other complaint.
 std::optional<Error> check_format(const ProjectText& text, const std::string& source) {
@@ -129,10 +133,46 @@ Result<Header> read_header(const ProjectText& text, const std::string& source) {
     fields.complain("/depths",
                     fmt::format("has {} entries for {} faces.", text.depths.size(), faces));
   }
+  if (!text.has_demands && !fields.is_absent("/demands")) {
+    fields.expect_long_list("/demands", false);
+  }
+  if (text.demands.size() % kDemandNumbers != 0) {
+    fields.complain("/demands", fmt::format("has {} numbers; a demand has {}.", text.demands.size(),
+                                            kDemandNumbers));
+  }
   if (fields.error()) {
     return tl::unexpected(*fields.error());
   }
   return header;
+}
+
+/// Face, corner, level, column, row and depth, six numbers a demand.
+Result<FineDemands> read_demands(const std::vector<std::uint32_t>& numbers,
+                                 const ControlMesh& control, const std::string& source) {
+  constexpr std::uint32_t kMostNarrow = 0xFFFF;
+  std::vector<FineDemand> demands;
+  demands.reserve(numbers.size() / kDemandNumbers);
+  for (std::size_t i = 0; i < numbers.size(); i += kDemandNumbers) {
+    const auto at = std::span(numbers).subspan(i, kDemandNumbers);
+    const bool is_narrow = std::ranges::all_of(
+        at.subspan(2), [](std::uint32_t number) { return number <= kMostNarrow; });
+    const auto as_byte = [](std::uint32_t number) {
+      return static_cast<std::uint8_t>(std::min<std::uint32_t>(number, 0xFF));
+    };
+    const FineDemand demand{{at[0], at[1], as_byte(at[2]), static_cast<std::uint16_t>(at[3]),
+                             static_cast<std::uint16_t>(at[4])},
+                            as_byte(at[5])};
+    if (!is_narrow || !is_demand_on(control, demand)) {
+      return fail(
+          ErrorKind::kBadInput,
+          fmt::format("/demands/{}: is no demand on a face of the mesh: face {}, corner {}, "
+                      "level {}, column {}, row {}, depth {}.",
+                      i, at[0], at[1], at[2], at[3], at[4], at[5]),
+          source);
+    }
+    demands.push_back(demand);
+  }
+  return FineDemands(demands);
 }
 
 Result<Project> assemble(ProjectText text, Header header, const std::string& source) {
@@ -156,6 +196,11 @@ Result<Project> assemble(ProjectText text, Header header, const std::string& sou
   for (std::size_t f = 0; f < text.depths.size(); ++f) {
     document.depths.set(f, text.depths[f]);
   }
+  Result<FineDemands> demands = read_demands(text.demands, *document.control, source);
+  if (!demands) {
+    return tl::unexpected(std::move(demands.error()));
+  }
+  document.demands = *std::move(demands);
   document.settings = header.settings;
   document.scheme = header.scheme;
   document.stage = header.stage;

@@ -14,10 +14,10 @@ namespace limn {
 
 inline constexpr std::string_view kProjectFormat = "limn-project";
 /// 2 brought creases, corners and texture coordinates, 3 uniform schemes and adaptive Loop,
-/// 4 names of faces and vertices in no face. A project is written as the oldest version that holds
-/// it, for programs that know no other. The checksum is in projects of every version, since
-/// programs pass over what they do not know.
-inline constexpr std::int64_t kProjectVersion = 4;
+/// 4 names of faces and vertices in no face, 5 demands on finer faces. A project is written as the
+/// oldest version that holds it, for programs that know no other. The checksum is in projects of
+/// every version, since programs pass over what they do not know.
+inline constexpr std::int64_t kProjectVersion = 5;
 
 inline constexpr std::array<Named<NonQuadRule>, 2> kNonQuadRules{
     {{"uniform-first-step", NonQuadRule::kUniformFirstStep},

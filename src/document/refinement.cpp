@@ -41,17 +41,18 @@ class PartOf final : public Progress {
 };
 
 Result<DerivedLabels> label(const ControlMesh& control, std::span<const std::uint8_t> depths,
-                            const SubdivisionSettings& settings, Progress& progress) {
+                            const FineDemands& demands, const SubdivisionSettings& settings,
+                            Progress& progress) {
+  Result<LabelsWithDemands> labels = legal_labels(control, depths, demands, settings, progress);
+  if (!labels) {
+    return tl::unexpected(std::move(labels.error()));
+  }
   DerivedLabels derived;
-  derived.painted =
-      apply_non_quad_rule(control, vertex_labels(control, depths), settings.non_quads);
+  derived.painted = std::move(labels->painted);
+  derived.legal = std::move(labels->legal);
+  derived.fine = std::move(labels->fine);
   derived.illegal_faces = illegal_faces(control, derived.painted, settings.legalisation);
   derived.illegal_vertices = illegal_vertices(control, derived.painted, settings.legalisation);
-  Result<Legalisation> legal = legal_labels(control, depths, settings, progress);
-  if (!legal) {
-    return tl::unexpected(std::move(legal.error()));
-  }
-  derived.legal = *std::move(legal);
   for (std::uint32_t v = 0; v < derived.painted.size(); ++v) {
     if (derived.painted[v] == 0 && derived.legal.labels[v] > 0) {
       derived.raised_vertices.push_back(v);
@@ -101,11 +102,12 @@ RefinementPrediction predict_loop(const ControlMesh& control,
 
 Result<DerivedLabels> derive_labels(const ControlMesh& control,
                                     std::span<const std::uint8_t> depths,
-                                    const SubdivisionSettings& settings, Progress& progress) {
+                                    const SubdivisionSettings& settings, Progress& progress,
+                                    const FineDemands& demands) {
   const Stopwatch watch;
   Result<DerivedLabels> derived = settings.scheme == RefinementScheme::kLoop
                                       ? balance(control, depths)
-                                      : label(control, depths, settings, progress);
+                                      : label(control, depths, demands, settings, progress);
   if (derived) {
     derived->prediction = predict_derived(control, *derived, kAllLevels);
     derived->seconds = watch.seconds();
@@ -118,7 +120,8 @@ RefinementPrediction predict_derived(const ControlMesh& control, const DerivedLa
   if (!labels.face_depths.empty()) {
     return predict_loop(control, held_to(labels.face_depths, levels));
   }
-  RefinementPrediction prediction = predict_refinement(control, labels.legal.labels, levels);
+  RefinementPrediction prediction =
+      predict_refinement(control, labels.legal.labels, levels, labels.fine.get());
   const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   // A product of fewer than 2^60 vertices; the guard is for a prediction that was cut off itself.
   prediction.bytes = prediction.vertices > most / 16 || prediction.bytes > most / 2
@@ -185,7 +188,8 @@ Result<void> RefinementSource::refine(const ControlMesh& control, const DerivedL
                                       RefinedMesh& mesh) {
   if (labels.face_depths.empty()) {
     return refiner_.refine(control, labels.legal.labels, options.settings,
-                           {options.levels, options.face_budget, true}, progress, mesh);
+                           {options.levels, options.face_budget, true, labels.fine.get()}, progress,
+                           mesh);
   }
   return refine_by_loop(control, held_to(labels.face_depths, options.levels),
                         {options.settings.weights, options.settings.corners, options.face_budget},

@@ -26,6 +26,9 @@ bool is_plain(const Document& document) {
 }
 
 std::int64_t version_of(const Document& document) {
+  if (!document.demands.empty()) {
+    return 5;
+  }
   if (has_names(*document.control) || (document.opened != nullptr && has_names(*document.opened))) {
     return 4;
   }
@@ -92,6 +95,14 @@ void write_project(std::ostream& out, const Document& document,
   writer.add("  \"depths\": ");
   writer.add_list(document.depths.values(), ", ",
                   [](std::uint8_t depth) { return fmt::format_int(depth).str(); });
+  if (!document.demands.empty()) {
+    writer.add(",\n  \"demands\": ");
+    writer.add_list(document.demands.all(), ",\n    ", [](const FineDemand& demand) {
+      const FineFace& face = demand.face;
+      return fmt::format("{}, {}, {}, {}, {}, {}", face.control_face, face.corner, face.level,
+                         face.column, face.row, demand.depth);
+    });
+  }
   writer.add(",\n  \"mesh\": ");
   write_project_mesh(writer, *document.control);
   if (document.opened != nullptr && document.opened != document.control) {

@@ -50,9 +50,11 @@ bool is_available(const Model& model, const Action& action) {
     case ActionId::kRedo:
       return !model.history.redo_name.empty();
     case ActionId::kRevert:
-      return is_painted || document.control != document.opened || document.stage != Stage{};
-    case ActionId::kLowerAll:
+      return is_painted || !document.demands.empty() || document.control != document.opened ||
+             document.stage != Stage{};
     case ActionId::kZeroAll:
+      return is_painted || !document.demands.empty();
+    case ActionId::kLowerAll:
     case ActionId::kGrowPainting:
     case ActionId::kShrinkPainting:
     case ActionId::kSmoothPainting:

@@ -295,5 +295,52 @@ TEST(Refine, CreasesEdgesByRules) {
   EXPECT_THAT(misspelt.err, testing::HasSubstr("which edges to crease"));
 }
 
+TEST(Refine, GoesFinerThanAFace) {
+  const ScratchFolder scratch;
+  const auto faces = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--json", "-o", scratch.file("out.obj")});
+    const ProgramRun run = limn(words);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return Json::parse(run.out);
+  };
+  const Json fine = faces({"refine", "cube", "--fine", "0/2/3/0=5", "--fine", "4/1/0/1=3"});
+  EXPECT_EQ(fine["demands"], 2);
+  EXPECT_EQ(fine["levels"], 5);
+  EXPECT_EQ(fine["watertight"], true);
+  EXPECT_GE(fine["faces"], 64 + 16);
+  EXPECT_LT(fine["faces"], 1000);
+  const Json whole = faces({"refine", "cube", "--paint", "faces=0:=5"});
+  EXPECT_LT(fine["faces"], whole["faces"]);
+
+  // A project keeps them, and none drops them.
+  ASSERT_TRUE(save_project(
+      scratch.file("fine.limn"),
+      [] {
+        Document document = make_document(load_bundled_mesh("cube").value(), "");
+        document.demands.raise(std::vector{FineDemand{{0, 0, 2, 3, 0}, 5}});
+        return document;
+      }(),
+      std::nullopt));
+  EXPECT_EQ(faces({"refine", scratch.file("fine.limn")})["levels"], 5);
+  EXPECT_EQ(faces({"refine", scratch.file("fine.limn"), "--fine", "none"})["levels"], 0);
+  const ProgramRun converted =
+      limn({"convert", scratch.file("fine.limn"), scratch.file("left_behind.obj")});
+  EXPECT_EQ(converted.exit_code, 0);
+  EXPECT_THAT(converted.err, HasSubstr("1 demand on faces finer than control faces stay behind"));
+
+  const auto complaint = [](const std::string& rule) {
+    const ProgramRun run = limn({"refine", "cube", "--fine", rule});
+    EXPECT_EQ(run.exit_code, 2) << rule;
+    return run.err;
+  };
+  EXPECT_THAT(complaint("0/2/3"), HasSubstr("is not understood"));
+  EXPECT_THAT(complaint("0/2/3/0=5x"), HasSubstr("is not understood"));
+  EXPECT_THAT(complaint("0/2/3/0=300"), HasSubstr("is not understood"));
+  EXPECT_THAT(complaint("6/2/3/0=5"), HasSubstr("no face of level 2"));
+  EXPECT_THAT(complaint("0/2/4/0=5"), HasSubstr("no face of level 2"));
+  EXPECT_THAT(complaint("0.1/2/3/0=5"), HasSubstr("no face of level 2"));
+  EXPECT_THAT(complaint("0/2/3/0=2"), HasSubstr("3..10"));
+}
+
 }  // namespace
 }  // namespace limn::test

@@ -33,6 +33,7 @@ struct State {
   Mesh control;
   Mesh opened;
   FaceDepths depths;
+  FineDemands demands;
   SubdivisionSettings settings;
   std::optional<SchemeSettings> scheme;
   Stage stage;
@@ -41,7 +42,7 @@ struct State {
 };
 
 State state_of(const Document& document) {
-  return {document.control,  document.opened, document.depths,
+  return {document.control,  document.opened, document.depths, document.demands,
           document.settings, document.scheme, document.stage};
 }
 

@@ -156,7 +156,7 @@ TEST_F(ProjectFile, RefusesWhatIsNotAProject) {
 }
 
 TEST_F(ProjectFile, RefusesNewerVersionsBeforeAnythingElse) {
-  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 5"), HasSubstr("newer"));
+  EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 6"), HasSubstr("newer"));
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": 0"), StartsWith("/version: "));
   EXPECT_THAT(complaint_with("\"version\": 1", "\"version\": \"1\""), StartsWith("/version: "));
   EXPECT_THAT(complaint_with("\"version\": 1,", ""), StartsWith("/version: "));

@@ -44,6 +44,7 @@ void expect_same_document(const Document& a, const Document& b) {
   expect_same_mesh(*a.opened, *b.opened);
   EXPECT_EQ(a.opened == a.control, b.opened == b.control);
   EXPECT_EQ(a.depths, b.depths);
+  EXPECT_EQ(a.demands, b.demands);
   EXPECT_EQ(a.settings, b.settings);
   EXPECT_EQ(a.scheme, b.scheme);
   EXPECT_EQ(a.stage, b.stage);

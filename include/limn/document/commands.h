@@ -15,10 +15,11 @@
 
 namespace limn {
 
-/// Changes depths: a stroke, a rule, "zero all". `edits` must fit the document it is applied to.
-/// The stage stays: what is shown refined is derived again from the new depths.
-[[nodiscard]] std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits,
-                                                     std::string name);
+/// Changes depths: a stroke, a rule, "zero all"; and demands on finer faces. Both must fit the
+/// document they are applied to. The stage stays: what is shown refined is derived again from the
+/// new painting.
+[[nodiscard]] std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits, std::string name,
+                                                     DemandEdits demands = {});
 
 /// Shows more or less of the subdivision.
 [[nodiscard]] std::unique_ptr<Command> stage_command(Stage stage, std::string name);
@@ -40,13 +41,15 @@ namespace limn {
                                                       const CreaseRule& rule);
 
 /// Replaces the control mesh, unpainted and at stage 0: Apply (the refined mesh becomes the control
-/// mesh). As with all commands that change it, settings that ask for Loop ask for Catmull-Clark
-/// where the new mesh is not all triangles.
+/// mesh). Demands on finer faces are gone with the faces they were on. As with all commands that
+/// change it, settings that ask for Loop ask for Catmull-Clark where the new mesh is not all
+/// triangles.
 [[nodiscard]] std::unique_ptr<Command> replace_control_command(
     std::shared_ptr<const ControlMesh> control, std::string name);
 
 /// Single edges of the control mesh (editing/edge_edits.h). The stage stays, and so does the
-/// painting: both halves of a face that is cut keep its depth.
+/// painting: both halves of a face that is cut keep its depth, and demands stay on all faces but
+/// those that were cut or turned.
 /// Errors: kFailed, with the reason, where the edge cannot be split or flipped.
 [[nodiscard]] Result<std::unique_ptr<Command>> split_edge_command(const Document& document,
                                                                   std::uint32_t edge);
@@ -54,10 +57,11 @@ namespace limn {
                                                                  std::uint32_t edge);
 
 /// The control mesh made to fit a scheme (`make_fit`), at stage 0. What becomes of a face keeps its
-/// depth, or one level less where the face was subdivided.
+/// depth, or one level less where the face was subdivided. Demands on finer faces go.
 [[nodiscard]] std::unique_ptr<Command> fit_command(const Document& document, Fitting fitting);
 
-/// Takes up a painting that was carried over to another control mesh, at stage 0.
+/// Takes up a painting that was carried over to another control mesh, at stage 0. Demands on finer
+/// faces are not carried over.
 [[nodiscard]] std::unique_ptr<Command> reattach_command(PaintingTransfer transfer);
 
 /// Back to the mesh as it was opened, unpainted and at stage 0.

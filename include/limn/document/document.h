@@ -10,6 +10,7 @@
 #include "limn/mesh/build.h"
 #include "limn/mesh/control_mesh.h"
 #include "limn/painting/face_depths.h"
+#include "limn/subdivision/fine_demands.h"
 #include "limn/subdivision/prediction.h"
 #include "limn/subdivision/schemes/scheme.h"
 #include "limn/subdivision/settings.h"
@@ -32,15 +33,17 @@ struct Stage {
 /// document, and 0 means nothing at all.
 struct Revisions {
   std::uint64_t control = 0;
-  std::uint64_t depths = 0;
-  std::uint64_t stage = 0;  ///< Stage, settings or scheme.
+  std::uint64_t depths = 0;  ///< Demands, too.
+  std::uint64_t stage = 0;   ///< Stage, settings or scheme.
 };
 
 /// What is open: the control mesh and its painting. Plain data, changed by commands alone
 /// (document/command.h). The refined mesh is derived and is not part of it.
 struct Document {
   std::shared_ptr<const ControlMesh> control;
-  FaceDepths depths;  ///< One entry per face of `control`.
+  FaceDepths depths;    ///< One entry per face of `control`.
+  FineDemands demands;  ///< On finer faces of it. Catmull-Clark's: Loop and uniform schemes pass
+                        ///< over them.
   SubdivisionSettings settings;
   /// The uniform scheme that is shown instead of what is painted; nothing: the painting. Its corner
   /// rule is that of `settings` (`shown_scheme`).
@@ -57,6 +60,10 @@ struct Document {
 
   Revisions revisions;
 };
+
+/// The most levels that anything in the document is painted with, demands included where the scheme
+/// heeds them.
+[[nodiscard]] int deepest_painting(const Document& document) noexcept;
 
 /// The uniform scheme that is shown, with the document's corner rule.
 [[nodiscard]] std::optional<SchemeSettings> shown_scheme(const Document& document) noexcept;

@@ -11,6 +11,7 @@
 #include "limn/mesh/refined_mesh.h"
 #include "limn/progress.h"
 #include "limn/subdivision/crack_check.h"
+#include "limn/subdivision/fine_labels.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/legalisation.h"
 #include "limn/subdivision/prediction.h"
@@ -29,6 +30,8 @@ struct DerivedLabels {
   /// Vertices that legalisation raised from 0, ascending: those its steps chose and, where faces
   /// that are no quads were raised with them, their other vertices.
   std::vector<std::uint32_t> raised_vertices;
+  /// Labels of finer levels; null where nothing is demanded there, and for kLoop.
+  std::shared_ptr<const FineLabels> fine;
   /// kLoop alone: balanced, one per face, and how many faces are deeper than painted.
   std::vector<std::uint8_t> face_depths;
   std::size_t deepened_faces = 0;
@@ -37,11 +40,13 @@ struct DerivedLabels {
 };
 
 /// Labels, legalises (or balances) and predicts. `depths` has one entry per face of `control`.
+/// `demands` on finer faces are valid there; Loop has no such faces and passes over them.
 /// Errors: kCancelled; kFailed where kLoop cannot take the mesh (`check_fits`).
 [[nodiscard]] Result<DerivedLabels> derive_labels(const ControlMesh& control,
                                                   std::span<const std::uint8_t> depths,
                                                   const SubdivisionSettings& settings,
-                                                  Progress& progress);
+                                                  Progress& progress,
+                                                  const FineDemands& demands = {});
 
 /// The refined mesh of a painting and what was found out about it.
 struct Refinement {

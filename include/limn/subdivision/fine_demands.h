@@ -40,6 +40,14 @@ struct FineDemand {
 /// Whether that is so and the depth is beyond the face's level, up to kMaxDepth.
 [[nodiscard]] bool is_demand_on(const ControlMesh& mesh, const FineDemand& demand);
 
+/// What tells two lots of demands apart, each in their order.
+struct DemandEdits {
+  std::vector<FineDemand> removed;
+  std::vector<FineDemand> added;
+
+  [[nodiscard]] bool empty() const noexcept { return removed.empty() && added.empty(); }
+};
+
 /// What is asked of faces finer than control faces. The depth asked of a place is the greatest of
 /// the demands on faces that it lies in.
 ///
@@ -61,11 +69,17 @@ class FineDemands {
   /// Asks for at most so much within a face: a demand on more than that stays for the rest, as
   /// demands on the faces beside. A depth up to the face's level leaves nothing asked for there.
   void lower(const FineDemand& most);
+  /// What makes these of those before; `apply` to those before gives these, `revert` undoes it.
+  [[nodiscard]] DemandEdits edits_from(const FineDemands& before) const;
+  void apply(const DemandEdits& edits);
+  void revert(const DemandEdits& edits);
+
   /// The depth asked of a face: the greatest demand on it or on one that it lies in; 0 for none.
   [[nodiscard]] std::uint8_t depth_at(const FineFace& face) const;
 
  private:
   void put_in_order();
+  void exchange(std::span<const FineDemand> removed, std::span<const FineDemand> added);
 
   std::vector<FineDemand> demands_;
 };

@@ -109,19 +109,22 @@ void ForecastJob::work(const std::stop_token& stop) {
 
 std::optional<std::int64_t> ForecastJob::answer(const Question& question, Watch& watch) {
   const auto faces_of = [&](const FaceDepths& depths) -> std::optional<std::uint64_t> {
-    const auto labels = derive_labels(*question.control, depths.values(), question.settings, watch);
+    const auto labels = derive_labels(*question.control, depths.values(), question.settings, watch,
+                                      question.demands);
     if (!labels) {
       return std::nullopt;
     }
     return predict_derived(*question.control, *labels, question.levels).faces;
   };
   if (known_.control != question.control || known_.depths != question.depths ||
-      known_.settings != question.settings || known_.levels != question.levels) {
+      known_.settings != question.settings || known_.levels != question.levels ||
+      known_.demands != question.demands) {
     const auto faces = faces_of(question.depths);
     if (!faces) {
       return std::nullopt;
     }
-    known_ = {question.control, question.depths, {}, question.settings, question.levels};
+    known_ = {question.control,  question.depths, {},
+              question.settings, question.levels, question.demands};
     known_faces_ = *faces;
   }
   FaceDepths changed = question.depths;

@@ -29,6 +29,7 @@ class ForecastJob {
     std::vector<DepthEdit> edits;  ///< and what would change.
     SubdivisionSettings settings;
     int levels = kAllLevels;  ///< That the refined mesh is shown to.
+    FineDemands demands{};
 
     [[nodiscard]] bool operator==(const Question&) const = default;
   };

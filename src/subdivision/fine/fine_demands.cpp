@@ -4,8 +4,9 @@
 #include "limn/subdivision/fine_demands.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "limn/contract.h"
 #include "subdivision/fine/fine_path.h"
@@ -18,6 +19,11 @@ constexpr auto kOrder = [](const FineDemand& a, const FineDemand& b) {
     return std::tuple(face.control_face, face.corner, first_place(face), face.level);
   };
   return key(a.face) < key(b.face);
+};
+
+/// The greater depth first.
+constexpr auto kWholeOrder = [](const FineDemand& a, const FineDemand& b) {
+  return kOrder(a, b) || (!kOrder(b, a) && a.depth > b.depth);
 };
 
 bool is_some(const FineDemand& demand) {
@@ -46,9 +52,7 @@ void FineDemands::raise(std::span<const FineDemand> demands) {
 
 void FineDemands::put_in_order() {
   std::erase_if(demands_, [](const FineDemand& demand) { return !is_some(demand); });
-  std::ranges::sort(demands_, [](const FineDemand& a, const FineDemand& b) {
-    return kOrder(a, b) || (!kOrder(b, a) && a.depth > b.depth);
-  });
+  std::ranges::sort(demands_, kWholeOrder);
   std::vector<FineDemand> around;  // Those that the last one lies in, and itself.
   std::size_t kept = 0;
   for (const FineDemand& demand : demands_) {
@@ -86,6 +90,34 @@ void FineDemands::lower(const FineDemand& most) {
   }
   demands_.insert(demands_.end(), beside.begin(), beside.end());
   put_in_order();
+}
+
+DemandEdits FineDemands::edits_from(const FineDemands& before) const {
+  DemandEdits edits;
+  std::ranges::set_difference(before.demands_, demands_, std::back_inserter(edits.removed),
+                              kWholeOrder);
+  std::ranges::set_difference(demands_, before.demands_, std::back_inserter(edits.added),
+                              kWholeOrder);
+  return edits;
+}
+
+void FineDemands::apply(const DemandEdits& edits) {
+  exchange(edits.removed, edits.added);
+}
+
+void FineDemands::revert(const DemandEdits& edits) {
+  exchange(edits.added, edits.removed);
+}
+
+void FineDemands::exchange(std::span<const FineDemand> removed, std::span<const FineDemand> added) {
+  std::vector<FineDemand> kept;
+  kept.reserve(demands_.size());
+  std::ranges::set_difference(demands_, removed, std::back_inserter(kept), kWholeOrder);
+  LIMN_EXPECTS(kept.size() + removed.size() == demands_.size());
+  std::vector<FineDemand> all;
+  all.reserve(kept.size() + added.size());
+  std::ranges::merge(kept, added, std::back_inserter(all), kWholeOrder);
+  demands_ = std::move(all);
 }
 
 std::uint8_t FineDemands::depth_at(const FineFace& face) const {
