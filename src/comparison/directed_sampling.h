@@ -105,8 +105,10 @@ void for_each_point(std::uint32_t parts, const Portion& portion, const Body& bod
   for (std::uint32_t row = portion.first_row; row < std::min(portion.last_row, parts); ++row) {
     for (std::uint32_t column = 0; column < 2 * (parts - row) - 1; ++column) {
       const bool is_turned = column % 2 == 1;  // It stands on its tip.
-      const double x = static_cast<double>(column / 2 + (is_turned ? 1 : 0));
-      const double y = static_cast<double>(row + (is_turned ? 1 : 0));
+      const std::uint32_t shift = is_turned ? 1 : 0;
+      const std::uint32_t before = column / 2;
+      const auto x = static_cast<double>(before + shift);
+      const auto y = static_cast<double>(row + shift);
       for (const RulePoint& point : rule()) {
         const double u = part * (is_turned ? x - point.weights.x : x + point.weights.x);
         const double v = part * (is_turned ? y - point.weights.y : y + point.weights.y);

@@ -28,6 +28,8 @@ constexpr int kHighestLabel = kMaxDepth + 1;
 constexpr double kNothing = 2e-7;
 /// Small meshes are looked at no less closely than this.
 constexpr std::uint64_t kFewestFaces = 1'000;
+/// Samples that take no time to speak of.
+constexpr std::size_t kFewSamples = std::size_t{1} << 22;
 
 /// Part of a progress, for what reports from 0 to 1 itself.
 class PartOfMeasuring final : public Progress {
@@ -58,6 +60,10 @@ struct Figures {
   DirectedDistance to_limit;
   DirectedDistance from_limit;
 };
+
+std::size_t samples_in(const Figures& figures) {
+  return figures.to_limit.samples + figures.from_limit.samples;
+}
 
 /// What is known of the control faces, and how it came about.
 class Measurement {
@@ -180,7 +186,7 @@ double greatest_in(std::span<const GroupDistance> groups) {
 /// Marks the control faces that have much of the greatest distance, if that changed.
 void mark_peaks(std::span<const GroupDistance> before, std::span<const GroupDistance> now,
                 double change, std::vector<bool>& is_marked) {
-  constexpr double kNear = 0.95;
+  constexpr double kNear = 0.85;
   const double greatest = greatest_in(now);
   if (std::abs(greatest - greatest_in(before)) <= change * greatest) {
     return;
@@ -228,19 +234,12 @@ class Rounds {
         levels_(measurement.to_limit().size(), static_cast<std::uint8_t>(rest + 1)),
         is_next_(levels_.size(), true) {}
 
-  /// Looks at the next ones, in pieces that take no more memory than the mesh itself or a few
-  /// hundred megabytes; after this they are a level further.
+  /// Looks at the next ones, one level more closely than any before, in pieces that take no more
+  /// memory than the mesh itself or a few hundred megabytes.
   [[nodiscard]] Result<void> look(double from, double to);
   /// After all have been looked at twice: those that figures depend on which have not settled.
   void choose(double change);
-  [[nodiscard]] bool can_go_on() const {
-    for (std::size_t f = 0; f < levels_.size(); ++f) {
-      if (is_next_[f] && levels_[f] > kHighestLabel) {
-        return false;
-      }
-    }
-    return true;
-  }
+  [[nodiscard]] bool can_go_on() const { return rest_ + round_ < kHighestLabel; }
   /// As far as can be told from the last.
   [[nodiscard]] std::size_t next_samples() const {
     std::size_t samples = 0;
@@ -252,12 +251,14 @@ class Rounds {
 
  private:
   [[nodiscard]] std::size_t samples_of(std::size_t f) const {
-    return 4 * (measurement_->to_limit()[f].samples + measurement_->from_limit()[f].samples);
+    const int further = rest_ + round_ + 1 - levels_[f];
+    return (measurement_->to_limit()[f].samples + measurement_->from_limit()[f].samples)
+           << (2 * further);
   }
 
   Measurement* measurement_;
   int rest_;
-  std::vector<std::uint8_t> levels_;
+  std::vector<std::uint8_t> levels_;  ///< One more than those last looked at, by control face.
   std::vector<bool> is_next_;
   std::vector<GroupDistance> to_before_;
   std::vector<GroupDistance> from_before_;
@@ -265,13 +266,14 @@ class Rounds {
 };
 
 Result<void> Rounds::look(double from, double to) {
-  constexpr std::size_t kSamplesInPiece = std::size_t{1} << 26;
+  constexpr std::size_t kSamplesInPiece = std::size_t{1} << 25;
   to_before_.assign(measurement_->to_limit().begin(), measurement_->to_limit().end());
   from_before_.assign(measurement_->from_limit().begin(), measurement_->from_limit().end());
-  if (round_++ == 1) {
+  if (round_ == 1) {
     std::ranges::fill(measurement_->of_faces(), 0.0f);
   }
   const std::size_t all = next_samples();
+  const auto level = static_cast<std::uint8_t>(rest_ + round_ + 1);
   const std::size_t pieces = all / kSamplesInPiece + 1;
   std::size_t f = 0;
   for (std::size_t piece = 0; piece < pieces; ++piece) {
@@ -280,8 +282,8 @@ Result<void> Rounds::look(double from, double to) {
     bool has_any = false;
     for (; f < levels_.size() && (samples <= all / pieces || piece + 1 == pieces); ++f) {
       if (is_next_[f]) {
-        looked[f] = levels_[f]++;
         samples += samples_of(f);
+        looked[f] = levels_[f] = level;
         has_any = true;
       }
     }
@@ -294,6 +296,7 @@ Result<void> Rounds::look(double from, double to) {
       return seen;
     }
   }
+  ++round_;
   return {};
 }
 
@@ -328,6 +331,7 @@ Result<LimitDistance> measure_limit_distance(const ControlMesh& mesh, const Vert
   }
   Rounds rounds(measurement, rest);
   LimitDistance result;
+  std::size_t most = limits.samples;
   double done = 0.05;
   for (int round = 0;; ++round) {
     const double until = done + (round < 2 ? 0.4 : 0.5 * (1.0 - done));
@@ -348,7 +352,9 @@ Result<LimitDistance> measure_limit_distance(const ControlMesh& mesh, const Vert
     if (round > 0) {
       rounds.choose(limits.change);
     }
-    if (!rounds.can_go_on() || (round > 0 && rounds.next_samples() > limits.samples)) {
+    // Looking closely at some of it takes no longer than four times what looking at all of it did.
+    most = round == 1 ? std::min(limits.samples, std::max(kFewSamples, 4 * samples_in(now))) : most;
+    if (!rounds.can_go_on() || (round > 0 && rounds.next_samples() > most)) {
       break;
     }
   }

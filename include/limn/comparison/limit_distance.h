@@ -16,7 +16,9 @@ namespace limn {
 /// How dense the samples of a measurement become.
 struct LimitDistanceLimits {
   double change = 0.01;  ///< Doubling the samples is to change no figure by more than this part.
-  std::size_t samples = std::size_t{1} << 26;  ///< In one round, before it gives up.
+  /// In one round, before it gives up; and no round takes more than four times what the second
+  /// took, which looks at everything.
+  std::size_t samples = std::size_t{1} << 26;
 };
 
 /// The distance between a refined mesh and the surface that its control mesh tends to.
@@ -43,11 +45,11 @@ struct LimitDistance {
 /// measured. Its faces are triangles as in comparison/surface_distance.h, and a point of the limit
 /// surface is held against the nearest of these, exactly. The limit surface is known by points and
 /// normals from the engine, more closely spaced than the mesh's vertices by a factor that grows
-/// until the figures settle; between them it is the surface of second order through these
-/// (Phong tessellation at 1/2; Boubekeur & Alexa 2008, doi 10.1145/1409060.1409094).
-/// What is left of positions in single precision limits the figures to some 1e-7 of the diagonal.
-/// The same input gives the same figures for any number of threads. Errors: kCancelled; kUsage
-/// where the settings ask for another scheme.
+/// until the figures settle, after two rounds only in the control faces that they depend on;
+/// between them it is the surface of second order through these (Phong tessellation at 1/2;
+/// Boubekeur & Alexa 2008, doi 10.1145/1409060.1409094). What is left of positions in single
+/// precision limits the figures to some 1e-7 of the diagonal. The same input gives the same figures
+/// for any number of threads. Errors: kCancelled; kUsage where the settings ask for another scheme.
 [[nodiscard]] Result<LimitDistance> measure_limit_distance(
     const ControlMesh& mesh, const VertexLabels& labels, const SubdivisionSettings& settings,
     const RefinedMesh& refined, Progress& progress, const LimitDistanceLimits& limits = {});
