@@ -77,6 +77,11 @@ void control_rows(PanelContext& context) {
   value_row(context, {"Texture seams", s.uv_points == 0 ? kNothing : grouped(s.uv_seams),
                       "Edges at which the texture is cut; a mesh without texture coordinates has "
                       "no figure here."});
+  if (const std::size_t demands = context.model.document.demands.size(); demands > 0) {
+    value_row(context, {"Finer than faces", counted(demands, "demand"),
+                        "Faces of the refined mesh that are asked to be finer than the paint on "
+                        "their control face makes them. Zero all drops them."});
+  }
   value_row(context, {"Euler characteristic", grouped(s.euler_characteristic),
                       "Vertices - edges + faces: 2 for a surface like a ball, 0 like a ring."});
 }

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limn/document/project_file.h"
+
 namespace limn::app {
 namespace {
 
@@ -55,6 +57,27 @@ TEST_F(SessionTest, RulesPaintAndUndo) {
     session_.perform(kUndo);
   }
   EXPECT_EQ(depths(), (std::vector<int>{2, 1, 2, 1, 1, 1}));
+}
+
+TEST_F(SessionTest, ShowsDemandsOfAProjectAndZeroesThemWithTheRest) {
+  Document document = session_.document();
+  document.demands.raise(std::vector{FineDemand{{0, 0, 2, 1, 1}, 5}});
+  const std::string path = folder_.file("fine.limn");
+  ASSERT_TRUE(save_project(path, document, std::nullopt));
+  session_.perform({kOpen, path});
+  ASSERT_EQ(session_.document().demands, document.demands);
+  session_.finish_refinement();
+  ASSERT_NE(session_.refinement().refined(), nullptr) << "it follows demands as it follows paint";
+  EXPECT_EQ(session_.refinement().refined()->prediction.levels, 5);
+  EXPECT_TRUE(session_.refinement().refined()->refinement->cracks.is_watertight());
+
+  stroke({3}, DepthChange::set(1));
+  session_.perform(kZeroAll);
+  EXPECT_TRUE(session_.document().demands.empty());
+  EXPECT_THAT(last_toast(), HasSubstr("1 face changed. 1 demand on finer faces gone."));
+  session_.perform(kUndo);
+  EXPECT_EQ(session_.document().demands, document.demands);
+  EXPECT_EQ(session_.document().depths[3], 1);
 }
 
 TEST_F(SessionTest, CreasesEdgesOverTheThreshold) {
