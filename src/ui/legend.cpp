@@ -190,7 +190,7 @@ void draw_distance_legend(ImDrawList& list, const LegendLook& look, const Distan
                           ImVec2 origin) {
   Lines lines(list, look, origin, distance_legend_size(look));
   lines.title("Distance to the limit");
-  const auto [top, unused_high] = lines.swatch();
+  const ImVec2 top = lines.swatch().low;
   ImVec2 foot = top;
   for (int line = 0; line < kDistanceLines; ++line) {
     foot.y = lines.swatch().high.y;
