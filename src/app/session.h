@@ -44,6 +44,8 @@ struct SessionHost {
   /// Answers "visible" for the camera in force. Empty without a screen: those actions then fail
   /// with a toast.
   VisibleFaces visible_faces;
+  /// The camera in force, and those of files. Empty without a screen, likewise.
+  ScreenViews views{};
   /// Where copies of unsaved work are kept (recovery_store.h). Empty: nowhere.
   std::filesystem::path recovery_folder{};
   /// What is read and written; must outlive the session. Null: the disk.

@@ -75,26 +75,26 @@ bool Session::perform_rule(const ui::Action& action) {
 
 void Session::paint(const PaintRule& rule, const std::string& what) {
   end_stroke();
-  auto edits = plan_paint_rule(*document_.control, rule, host_.visible_faces, document_.depths);
-  if (!edits) {
-    toast(Kind::kProblem, edits.error().message);
+  const PaintContext context{document_.settings, host_.visible_faces, host_.views, nullptr};
+  auto plan = plan_paint_rule(*document_.control, rule, context, document_.depths);
+  if (!plan) {
+    toast(Kind::kProblem, plan.error().message);
     return;
   }
   // Nothing is painted after that, on finer faces neither.
-  const auto* filter = std::get_if<DepthFilter>(&rule);
   DemandEdits demands;
-  if (filter != nullptr && *filter == DepthFilter::kClear) {
+  if (clears_all(rule)) {
     demands = FineDemands().edits_from(document_.demands);
   }
-  if (edits->empty() && demands.empty()) {
+  if (plan->edits.empty() && demands.empty()) {
     toast(Kind::kNote, "No face changes by this.");
     return;
   }
-  const std::size_t faces = edits->size();
+  const std::size_t faces = plan->edits.size();
   const std::size_t finer = demands.removed.size();
   const std::string count = face_count(faces);
   execute(
-      paint_command(*std::move(edits), fmt::format("{} ({})", what, count), std::move(demands)));
+      paint_command(std::move(plan->edits), fmt::format("{} ({})", what, count), std::move(demands)));
   std::string text = fmt::format("{}: {} changed.", capitalised(what), ui::counted(faces, "face"));
   if (finer > 0) {
     text += fmt::format(" {} on finer faces gone.", ui::counted(finer, "demand"));

@@ -117,7 +117,7 @@ Result<PaintedMesh> open_refined(PaintingOptions options, const ViewOptions& vie
   if (options.rules.empty() && !options.input.ends_with(kProjectEnding)) {
     options.levels = 0;
   }
-  Result<Project> project = open_painted(options, visible_faces_from(view));
+  Result<Project> project = open_painted(options, paint_context_from(view));
   if (!project) {
     return tl::unexpected(std::move(project.error()));
   }

@@ -88,10 +88,17 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
             }
           },
           "A rule SELECTION:CHANGE, any number of times, applied in order. SELECTION is all, "
-          "visible, dihedral>DEGREES, faces=0,3-9, flood=FACE (its surroundings of equal depth), "
-          "smart=FACE,DEGREES (as far as the surface bends by so much in all) or connected=FACE; "
-          "CHANGE is +N, -N or =N. Or a word for the whole painting: grow, shrink, invert, smooth, "
-          "clear, mirror=AXES. @FILE reads a rule a line")
+          "visible, painted, unpainted, dihedral>DEGREES, curvature>DEGREES, faces=0,3-9, "
+          "flood=FACE (its surroundings of equal depth), smart=FACE,DEGREES (as far as the surface "
+          "bends by so much in all) or connected=FACE; CHANGE is +N, -N, =N, maxN or minN. Or "
+          "depths "
+          "that come about by themselves: tolerance=0.001d (distance to the limit surface, in "
+          "diagonals), tolerance=0.5px@CAMERA, budget=50000 (or 50000t triangles), "
+          "screen=4px@CAMERA, curve=curvature,5/0,40/3; :max, :min or :add behind them combines "
+          "them "
+          "with what is painted. Or a word for the whole painting: grow, shrink, invert, smooth, "
+          "clear, mirror=AXES. Any of them followed by \" in SELECTION\" changes those faces only. "
+          "@FILE reads a rule a line")
       ->type_name("RULE")
       ->expected(1)
       ->take_all();
@@ -181,7 +188,7 @@ Result<Project> open_input(const std::string& input) {
   return project;
 }
 
-Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFaces& make_visible) {
+Result<Project> open_painted(const PaintingOptions& options, const MakePaintContext& make_context) {
   Result<Project> project = open_input(options.input);
   if (!project) {
     return project;
@@ -192,24 +199,25 @@ Result<Project> open_painted(const PaintingOptions& options, const MakeVisibleFa
   document.settings.legalisation = options.legalisation.value_or(document.settings.legalisation);
   document.settings.non_quads = options.non_quads.value_or(document.settings.non_quads);
   document.settings.corners = options.corners.value_or(document.settings.corners);
-  document.settings.points = options.points.value_or(document.settings.points);
+  // Where distances to the limit surface count, the vertices had better lie on it.
+  const bool aims = std::ranges::any_of(options.rules, aims_at_limit);
+  document.settings.points =
+      options.points.value_or(aims ? SurfacePoints::kLimit : document.settings.points);
   document.settings.texture = options.texture.value_or(document.settings.texture);
 
   for (const CreaseRule& rule : options.creases) {
     crease_command(document, rule)->apply(document);
   }
-  VisibleFaces visible;
+  TerminalProgress progress;
+  PaintContext context = make_context(*project);
+  context.settings = document.settings;
+  context.progress = &progress;
   for (const PaintRule& rule : options.rules) {
-    const auto* change = std::get_if<ChangeFaces>(&rule);
-    if (change != nullptr && std::holds_alternative<SelectVisible>(change->selection) && !visible) {
-      visible = make_visible(*project);
-    }
-    if (auto painted = apply_paint_rule(*document.control, rule, visible, document.depths);
+    if (auto painted = apply_paint_rule(*document.control, rule, context, document.depths);
         !painted) {
       return tl::unexpected(std::move(painted.error()));
     }
-    if (const auto* filter = std::get_if<DepthFilter>(&rule);
-        filter != nullptr && *filter == DepthFilter::kClear) {
+    if (clears_all(rule)) {
       document.demands = {};
     }
   }

@@ -60,12 +60,12 @@ void add_painting_options(CLI::App& command, PaintingOptions& options);
 [[nodiscard]] Result<Project> open_quietly(const std::string& input,
                                            const BuildSettings& settings = {});
 
-/// Makes the answer to `visible:...` rules for an opened project; called only where a rule asks.
-using MakeVisibleFaces = std::function<VisibleFaces(const Project&)>;
+/// Makes what rules may ask of an opened project, which outlives it: visible faces and cameras.
+using MakePaintContext = std::function<PaintContext(const Project&)>;
 
 /// Opens IN and applies settings and rules to it.
 [[nodiscard]] Result<Project> open_painted(const PaintingOptions& options,
-                                           const MakeVisibleFaces& make_visible);
+                                           const MakePaintContext& make_context);
 
 /// A refinement that was made and stays on the GPU.
 struct RefinedOnGpu {

@@ -56,7 +56,7 @@ Result<void> write_output(const RefineOptions& options, const Project& project,
 
 /// Refines the one input of `options`. Its report is empty where nobody asked for it.
 Result<nlohmann::ordered_json> refine_and_write(const RefineOptions& options) {
-  const Result<Project> project = open_painted(options.painting, visible_faces_from(options.view));
+  const Result<Project> project = open_painted(options.painting, paint_context_from(options.view));
   if (!project) {
     return tl::unexpected(project.error());
   }

@@ -110,7 +110,7 @@ Result<Drawable> make_uniform(const RenderOptions& options, const Project& proje
 }
 
 Result<void> render_and_write(const RenderOptions& options) {
-  const Result<Project> project = open_painted(options.painting, visible_faces_from(options.view));
+  const Result<Project> project = open_painted(options.painting, paint_context_from(options.view));
   if (!project) {
     return tl::unexpected(project.error());
   }

@@ -91,15 +91,16 @@ Result<ViewState> resolve_view(const ViewOptions& options, const Project& projec
   return project.view.value_or(frame(render::NamedView::kThreeQuarter));
 }
 
-MakeVisibleFaces visible_faces_from(const ViewOptions& options) {
-  return [options](const Project& project) -> VisibleFaces {
-    return [options, &project]() -> Result<std::vector<std::uint32_t>> {
+MakePaintContext paint_context_from(const ViewOptions& options) {
+  return [options](const Project& project) {
+    PaintContext context;
+    context.visible = [options, &project]() -> Result<std::vector<std::uint32_t>> {
       const Result<ViewState> view = resolve_view(options, project);
       if (!view) {
         return tl::unexpected(view.error());
       }
       const ControlMesh& control = *project.document.control;
-      const std::unique_ptr<render::GlContext> context = render::create_headless_context();
+      const std::unique_ptr<render::GlContext> context_of_gl = render::create_headless_context();
       render::SurfaceBuffers surface;
       if (auto uploaded = surface.upload(render::make_surface(control), 1); !uploaded) {
         return tl::unexpected(std::move(uploaded.error()));
@@ -108,6 +109,15 @@ MakeVisibleFaces visible_faces_from(const ViewOptions& options) {
       render::FacePicker picker;
       return picker.visible_faces({surface, camera});
     };
+    context.views = [options, &project](const std::string& name) {
+      const Result<ViewState> view =
+          name.empty() ? resolve_view(options, project) : load_view(name);
+      return view.map([&](const ViewState& state) {
+        return render::screen_view(
+            render::make_camera(state, project.document.control->bounds(), options.size));
+      });
+    };
+    return context;
   };
 }
 

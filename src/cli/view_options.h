@@ -21,8 +21,9 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 /// The view in force for an opened project.
 [[nodiscard]] Result<ViewState> resolve_view(const ViewOptions& options, const Project& project);
 
-/// Answers `visible:...` rules with the faces of the control mesh that show from there. Draws
-/// without a window; throws EnvironmentError where that cannot be done.
-[[nodiscard]] MakeVisibleFaces visible_faces_from(const ViewOptions& options);
+/// Answers rules with the faces of the control mesh that show from there, and with cameras: this
+/// one and those of camera files, with pictures of the options' size. What is visible is drawn
+/// without a window, when it is asked; throws EnvironmentError where that cannot be done.
+[[nodiscard]] MakePaintContext paint_context_from(const ViewOptions& options);
 
 }  // namespace limn::cli

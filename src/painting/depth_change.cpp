@@ -7,8 +7,20 @@ namespace limn {
 
 int DepthChange::operator()(int depth) const noexcept {
   // Wide enough that no amount, however wild, can overflow.
-  const std::int64_t wanted =
-      kind == Kind::kSet ? std::int64_t{amount} : std::int64_t{depth} + std::int64_t{amount};
+  std::int64_t wanted = amount;
+  switch (kind) {
+    case Kind::kAdd:
+      wanted += depth;
+      break;
+    case Kind::kSet:
+      break;
+    case Kind::kAtLeast:
+      wanted = std::max<std::int64_t>(depth, wanted);
+      break;
+    case Kind::kAtMost:
+      wanted = std::min<std::int64_t>(depth, wanted);
+      break;
+  }
   return static_cast<int>(std::clamp<std::int64_t>(wanted, 0, kMaxDepth));
 }
 

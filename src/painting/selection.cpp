@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "limn/contract.h"
+#include "limn/painting/depth_choice.h"
 #include "limn/painting/face_regions.h"
 
 namespace limn {
@@ -55,15 +56,41 @@ std::vector<std::uint32_t> select_all(const ControlMesh& mesh) {
   return faces;
 }
 
-std::vector<std::uint32_t> select_sharper_than(const ControlMesh& mesh, double degrees) {
-  const std::vector<double> angles = face_dihedral_angles(mesh);
+template <class IsWanted>
+std::vector<std::uint32_t> faces_where(const ControlMesh& mesh, const IsWanted& is_wanted) {
   std::vector<std::uint32_t> faces;
-  for (std::size_t f = 0; f < angles.size(); ++f) {
-    if (angles[f] > degrees + kDihedralTolerance) {
-      faces.push_back(static_cast<std::uint32_t>(f));
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (is_wanted(f)) {
+      faces.push_back(f);
     }
   }
   return faces;
+}
+
+std::vector<std::uint32_t> select_sharper_than(const ControlMesh& mesh, double degrees) {
+  const std::vector<double> angles = face_dihedral_angles(mesh);
+  return faces_where(mesh, [&](std::size_t f) { return angles[f] > degrees + kDihedralTolerance; });
+}
+
+Result<std::vector<std::uint32_t>> select_measured(const ControlMesh& mesh,
+                                                   const SelectMeasured& selection,
+                                                   const PaintContext& context) {
+  std::vector<ScreenView> views;
+  if (info(selection.measure).needs_view) {
+    auto found = find_views(context, {});
+    if (!found) {
+      return tl::unexpected(std::move(found.error()));
+    }
+    views = *std::move(found);
+  }
+  IgnoreProgress ignore;
+  return measure_faces(mesh, context.settings, selection.measure, views,
+                       context.progress != nullptr ? *context.progress : ignore)
+      .map([&](const std::vector<double>& values) {
+        return faces_where(mesh, [&](std::size_t f) {
+          return selection.is_above ? values[f] > selection.value : values[f] < selection.value;
+        });
+      });
 }
 
 std::string no_such_face(const ControlMesh& mesh, std::uint32_t face) {
@@ -103,16 +130,16 @@ struct Select {
 
   const ControlMesh& mesh;
   const FaceDepths& depths;
-  const VisibleFaces& visible;
+  const PaintContext& context;
 
   Faces operator()(const SelectAll&) const { return select_all(mesh); }
   Faces operator()(const SelectVisible&) const {
-    if (!visible) {
+    if (!context.visible) {
       return fail(ErrorKind::kUsage,
                   "\"visible\" needs a camera to see from, and here is none; choose faces by "
                   "\"all\", \"dihedral>DEGREES\" or \"faces=LIST\".");
     }
-    return visible();
+    return context.visible();
   }
   Faces operator()(const SelectDihedral& dihedral) const {
     return select_sharper_than(mesh, dihedral.degrees);
@@ -128,6 +155,12 @@ struct Select {
   }
   Faces operator()(const SelectConnected& connected) const {
     return from_seed(connected.seed, [&] { return connected_region(mesh, connected.seed); });
+  }
+  Faces operator()(const SelectMeasured& measured) const {
+    return select_measured(mesh, measured, context);
+  }
+  Faces operator()(const SelectPainted& painted) const {
+    return faces_where(mesh, [&](std::size_t f) { return (depths[f] > 0) == painted.is_painted; });
   }
 
   template <class Region>
@@ -171,9 +204,9 @@ std::vector<double> face_dihedral_angles(const ControlMesh& mesh) {
 
 Result<std::vector<std::uint32_t>> select_faces(const ControlMesh& mesh, const FaceDepths& depths,
                                                 const Selection& selection,
-                                                const VisibleFaces& visible) {
+                                                const PaintContext& context) {
   LIMN_EXPECTS(depths.size() == mesh.face_count());
-  return std::visit(Select{mesh, depths, visible}, selection);
+  return std::visit(Select{mesh, depths, context}, selection);
 }
 
 }  // namespace limn

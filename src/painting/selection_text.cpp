@@ -2,6 +2,7 @@
 // change what a rule means.
 #include "painting/selection_text.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -9,14 +10,16 @@
 #include <fmt/format.h>
 
 #include "limn/painting/face_regions.h"
+#include "painting/choice_text.h"
 #include "painting/rule_text.h"
 
 namespace limn::rule_text {
 namespace {
 
 constexpr std::string_view kSelections =
-    "\"all\", \"visible\", \"dihedral>DEGREES\", \"faces=LIST\", \"flood=FACE\", "
-    "\"smart=FACE,DEGREES\" or \"connected=FACE\"";
+    "\"all\", \"visible\", \"painted\", \"unpainted\", \"dihedral>DEGREES\", "
+    "\"curvature>DEGREES\", "
+    "\"faces=LIST\", \"flood=FACE\", \"smart=FACE,DEGREES\" or \"connected=FACE\"";
 
 Result<std::uint32_t> face_number(std::string_view text, std::string_view part) {
   if (const auto number = read_whole_number(text)) {
@@ -77,7 +80,10 @@ Result<Selection> face_list(std::string_view list) {
 }
 
 Result<Selection> dihedral_threshold(std::string_view text) {
-  const std::optional<double> degrees = read_degrees(text);
+  constexpr std::string_view kUnit = "deg";
+  const bool has_unit = text.ends_with(kUnit);
+  const std::optional<double> degrees =
+      read_degrees(has_unit ? trimmed(text.substr(0, text.size() - kUnit.size())) : text);
   if (!degrees) {
     return misread(
         fmt::format("{} after \"dihedral>\" is not an angle; write degrees from 0 to 180, as in "
@@ -119,6 +125,17 @@ Result<Selection> region_of(std::string_view word, std::string_view text) {
   return Selection(SelectSmart{*seed, *degrees});
 }
 
+/// Behind a measure's word: which way, and the value.
+Result<Selection> measured(const FaceMeasureInfo& measure, char sign, std::string_view text) {
+  const auto value = read_measure(measure.measure, text);
+  if ((sign != '>' && sign != '<') || !value) {
+    return misread(fmt::format("\"{}\" needs a threshold, as in \"{}>{}{}\" or with <.",
+                               measure.word, measure.word, measure.unit == "d" ? "0.01" : "12",
+                               measure.unit));
+  }
+  return Selection(SelectMeasured{measure.measure, sign == '>', *value});
+}
+
 struct SelectionText {
   std::string operator()(const SelectAll&) const { return "all"; }
   std::string operator()(const SelectVisible&) const { return "visible"; }
@@ -143,6 +160,14 @@ struct SelectionText {
   std::string operator()(const SelectConnected& connected) const {
     return fmt::format("connected={}", connected.seed);
   }
+  std::string operator()(const SelectMeasured& measured) const {
+    const FaceMeasureInfo& measure = info(measured.measure);
+    return fmt::format("{}{}{}{}", measure.word, measured.is_above ? '>' : '<', measured.value,
+                       measure.unit);
+  }
+  std::string operator()(const SelectPainted& painted) const {
+    return painted.is_painted ? "painted" : "unpainted";
+  }
 };
 
 }  // namespace
@@ -154,12 +179,18 @@ Result<Selection> parse_selection(std::string_view text) {
   if (text == "visible") {
     return Selection(SelectVisible{});
   }
-  const std::size_t sign = text.find_first_of(">=");
+  if (text == "painted" || text == "unpainted") {
+    return Selection(SelectPainted{text == "painted"});
+  }
+  const std::size_t sign = text.find_first_of("><=");
   const std::string_view word = trimmed(text.substr(0, sign));
   const char found = sign == std::string_view::npos ? '\0' : text[sign];
   const std::string_view rest =
       sign == std::string_view::npos ? std::string_view{} : trimmed(text.substr(sign + 1));
   if (word == "dihedral") {
+    if (found == '<') {
+      return measured(info(FaceMeasure::kDihedral), found, rest);
+    }
     if (found != '>') {
       return misread("\"dihedral\" needs a threshold in degrees, as in \"dihedral>30\".");
     }
@@ -173,6 +204,10 @@ Result<Selection> parse_selection(std::string_view text) {
   }
   if (word == "flood" || word == "smart" || word == "connected") {
     return region_of(word, found == '=' ? rest : std::string_view{});
+  }
+  if (const auto measure = std::ranges::find(face_measures(), word, &FaceMeasureInfo::word);
+      measure != face_measures().end()) {
+    return measured(*measure, found, rest);
   }
   if (text.empty()) {
     return misread(

@@ -8,7 +8,8 @@
 
 namespace limn::rule_text {
 
-/// Reads `all`, `visible`, `dihedral>30`, `faces=0,3-9`, `flood=12`, `smart=12,40`, `connected=12`.
+/// Reads `all`, `visible`, `painted`, `unpainted`, `dihedral>30`, `curvature>12deg`, `edge<0.01d`,
+/// `faces=0,3-9`, `flood=12`, `smart=12,40`, `connected=12`.
 /// Errors: kUsage.
 [[nodiscard]] Result<Selection> parse_selection(std::string_view text);
 

@@ -189,6 +189,20 @@ double view_depth_from_buffer(const Camera& camera, double buffer_depth) {
   return camera.orthographic ? f - buffer_depth * (f - n) : f * n / (n + buffer_depth * (f - n));
 }
 
+ScreenView screen_view(const Camera& camera) {
+  ScreenView view;
+  view.eye = camera.eye;
+  view.right = camera.right;
+  view.up = camera.up;
+  view.back = camera.back;
+  view.is_orthographic = camera.orthographic;
+  view.near_plane = camera.near_plane;
+  view.half_height = camera.half_height;
+  view.width = camera.size.width;
+  view.height = camera.size.height;
+  return view;
+}
+
 double pixel_size_at(const Camera& camera, double view_depth) {
   const double height = 2.0 * camera.half_height * (camera.orthographic ? 1.0 : view_depth);
   return height / std::max(camera.size.height, 1);

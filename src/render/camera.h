@@ -10,6 +10,7 @@
 
 #include "limn/document/view_state.h"
 #include "limn/mesh/control_mesh.h"
+#include "limn/painting/auto_depth/screen_view.h"
 #include "render/coordinates.h"
 
 namespace limn::render {
@@ -95,6 +96,9 @@ struct ProjectedPoint {
 
 /// View depth for a value read from the depth buffer (0..1, far to near).
 [[nodiscard]] double view_depth_from_buffer(const Camera& camera, double buffer_depth);
+
+/// The camera as far as sizes on the screen are concerned.
+[[nodiscard]] ScreenView screen_view(const Camera& camera);
 
 /// World length that one pixel spans at a view depth, parallel to the image.
 [[nodiscard]] double pixel_size_at(const Camera& camera, double view_depth);

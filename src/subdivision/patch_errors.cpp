@@ -22,6 +22,12 @@ constexpr double kSlowestFall = 0.4;
 /// up to a fifth in all meshes that were tried.
 constexpr double kMissedBesideCreases = 1.2;
 
+/// How much of what lies within the surface counts, times the sine of how far it turns. A shift by
+/// t within a surface that turns by an angle lifts a point by t times its sine at the most, yet
+/// where a quad is furthest off it is parallel to the surface, and there a shift lifts nothing. All
+/// of it made estimates twice what is measured, none of it a fifth too small here and there.
+constexpr double kPartWithin = 0.25;
+
 double dot(const Point& a, const Point& b) noexcept {
   const Point product = a * b;
   return product[0] + product[1] + product[2];
@@ -51,7 +57,8 @@ struct ErrorParts {
   void add_outwards(double error) noexcept { outwards = std::max(outwards, error); }
   void add_within(double error) noexcept { within = std::max(within, error); }
   [[nodiscard]] double at(int levels_deeper) const noexcept {
-    return std::ldexp(outwards + within * std::min(1.0, std::ldexp(turn, -levels_deeper)),
+    const double sine = std::min(1.0, std::ldexp(turn, -levels_deeper));
+    return std::ldexp(outwards + std::min(1.0, kPartWithin + sine) * sine * within,
                       -2 * levels_deeper);
   }
 };
@@ -75,19 +82,71 @@ class Normals {
   const std::array<Point, 9>* normals_;
 };
 
-/// The error that second derivatives a, b, c (along, mixed, across) make of a unit quad on its
-/// sides, at its corners, and on whichever diagonal it is cut along.
-double quad_error(double a, double b, double c, SurfacePoints points) noexcept {
-  const double sides = std::max(std::abs(a), std::abs(c));
-  const double along = a + c + 2.0 * b;
-  const double down = a + c - 2.0 * b;
-  if (points == SurfacePoints::kLimit) {
-    return std::max({sides, std::abs(along), std::abs(down)}) / 8.0;
+/// A symmetric bilinear form of two directions, by its values: along, mixed, across.
+struct QuadraticForm {
+  double along = 0.0;
+  double mixed = 0.0;
+  double across = 0.0;
+};
+
+/// The greatest error of the plane through three points of a quadratic, between directions x and y
+/// and their sum: eighths of what the quadratic bends along the sides or, where the triangle is
+/// acute as the quadratic measures it, half the square of its circumradius.
+double triangle_error(double along_x, double along_y, double along_sum) noexcept {
+  const double a = std::abs(along_x);
+  const double c = std::abs(along_y);
+  const double s = std::abs(along_sum);
+  const double longest = std::max({a, c, s});
+  const bool is_definite = along_x * along_y > 0.0 && along_x * along_sum > 0.0;
+  const double mixed = (along_sum - along_x - along_y) / 2.0;
+  const double determinant = along_x * along_y - mixed * mixed;
+  if (is_definite && determinant > 0.0 && 2.0 * longest < a + c + s) {
+    return a * c * s / (8.0 * determinant);
   }
-  // Corners stand off the limit by a sixth of what the surface bends both ways, chords come back.
+  return longest / 8.0;
+}
+
+/// Where a unit quad is cut.
+enum class Diagonal { kUp, kDown, kEither };  ///< From the first corner, or to it.
+
+/// The shorter one, with these first derivatives; either, where both are about as long.
+Diagonal shorter_diagonal(const Point& u, const Point& v) noexcept {
+  constexpr double kAboutEqual = 0.1;
+  const double up = dot(u, v);
+  const double size = dot(u, u) + dot(v, v);
+  return std::abs(up) < kAboutEqual * size ? Diagonal::kEither
+         : up < 0.0                        ? Diagonal::kUp
+                                           : Diagonal::kDown;
+}
+
+/// The greatest error of the two triangles that a unit quad is cut into, with these second
+/// derivatives.
+double quad_error(const QuadraticForm& form, Diagonal diagonal, SurfacePoints points) noexcept {
+  const auto [a, b, c] = form;
+  const double up = triangle_error(a, c, a + c + 2.0 * b);
+  const double down = triangle_error(a, c, a + c - 2.0 * b);
+  const double chord = diagonal == Diagonal::kUp     ? up
+                       : diagonal == Diagonal::kDown ? down
+                                                     : std::max(up, down);
+  if (points == SurfacePoints::kLimit) {
+    return chord;
+  }
+  // Corners stand off the limit by a sixth of what the surface bends both ways; chords come back
+  // from there, or go further where it bends the other way.
   const double corner = (a + c) / 6.0;
-  return std::max({std::abs(corner), std::abs(corner - a / 8.0), std::abs(corner - c / 8.0),
-                   std::abs(corner - along / 8.0), std::abs(corner - down / 8.0)});
+  double error = std::abs(corner);
+  const auto add_middle = [&](double bend) {
+    error = std::max(error, std::abs(corner - bend / 8.0));
+  };
+  add_middle(a);
+  add_middle(c);
+  if (diagonal != Diagonal::kDown) {
+    add_middle(a + c + 2.0 * b);
+  }
+  if (diagonal != Diagonal::kUp) {
+    add_middle(a + c - 2.0 * b);
+  }
+  return error;
 }
 
 /// The same of a curve.
@@ -159,7 +218,7 @@ void PatchErrors::add_bicubic(const PatchGrid& face, const std::array<SideLimits
     const double a = dot(at.uu, normals[i]);
     const double b = dot(at.uv, normals[i]);
     const double c = dot(at.vv, normals[i]);
-    parts.add_outwards(quad_error(a, b, c, wish_->points));
+    parts.add_outwards(quad_error({a, b, c}, shorter_diagonal(at.u, at.v), wish_->points));
     const double along = length(at.uu - normals[i] * a);
     const double mixed = length(at.uv - normals[i] * b);
     const double across = length(at.vv - normals[i] * c);
@@ -216,8 +275,14 @@ ErrorParts PatchErrors::measure(const PatchGrid& face, const PatchGrid& next) co
       parts.add_outwards(length_across(off, to - from));
     }
   }
-  add(limits[4] - (corners[0] + corners[2]) * 0.5, 4);
-  add(limits[4] - (corners[1] + corners[3]) * 0.5, 4);
+  const Diagonal diagonal = shorter_diagonal(corners[1] + corners[2] - corners[0] - corners[3],
+                                             corners[2] + corners[3] - corners[0] - corners[1]);
+  if (diagonal != Diagonal::kDown) {
+    add(limits[4] - (corners[0] + corners[2]) * 0.5, 4);
+  }
+  if (diagonal != Diagonal::kUp) {
+    add(limits[4] - (corners[1] + corners[3]) * 0.5, 4);
+  }
   parts.turn = Normals(normals).turn();
   return parts;
 }

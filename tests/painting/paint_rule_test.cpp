@@ -94,7 +94,7 @@ TEST(ParsePaintRule, SaysWhatIsMissing) {
   EXPECT_THAT(complaint(""), HasSubstr("empty"));
   EXPECT_THAT(complaint(" \t "), HasSubstr("empty"));
   EXPECT_THAT(complaint("all"), HasSubstr("no colon"));
-  EXPECT_THAT(complaint("all:"), HasSubstr("\"+N\", \"-N\" or \"=N\""));
+  EXPECT_THAT(complaint("all:"), HasSubstr("\"+N\", \"-N\", \"=N\", \"maxN\" or \"minN\""));
   EXPECT_THAT(complaint(":+1"), HasSubstr("which faces"));
   EXPECT_THAT(complaint("faces=:+1"), HasSubstr("names no face"));
   EXPECT_THAT(complaint("faces:+1"), HasSubstr("needs a list"));
@@ -117,7 +117,7 @@ TEST(ParsePaintRule, NamesWhatItDoesNotKnow) {
   EXPECT_THAT(complaint("some:+1"), HasSubstr("\"some\""));
   EXPECT_THAT(complaint("some:+1"), HasSubstr("\"all\", \"visible\""));
   EXPECT_THAT(complaint("ALL:+1"), HasSubstr("\"ALL\""));
-  EXPECT_THAT(complaint("curvature>3:+1"), HasSubstr("\"curvature>3\""));
+  EXPECT_THAT(complaint("curve>3:+1"), HasSubstr("\"curve>3\""));
   EXPECT_THAT(complaint("all:1"), HasSubstr("\"1\""));
   EXPECT_THAT(complaint("all:+"), HasSubstr("\"+\""));
   EXPECT_THAT(complaint("all:++1"), HasSubstr("\"++1\""));
@@ -132,7 +132,7 @@ TEST(ParsePaintRule, NamesWhatItDoesNotKnow) {
   EXPECT_THAT(complaint("faces=+1:+1"), HasSubstr("\"+1\""));
   EXPECT_THAT(complaint("dihedral=30:+1"), HasSubstr("needs a threshold"));
   EXPECT_THAT(complaint("dihedral>=30:+1"), HasSubstr("\"=30\""));
-  EXPECT_THAT(complaint("dihedral>30deg:+1"), HasSubstr("\"30deg\""));
+  EXPECT_THAT(complaint("dihedral>30rad:+1"), HasSubstr("\"30rad\""));
   EXPECT_THAT(complaint("flood=a:+1"), HasSubstr("\"a\""));
   EXPECT_THAT(complaint("flood=1,2:+1"), HasSubstr("\"1,2\""));
   EXPECT_THAT(complaint("smart=1,x:+1"), HasSubstr("\"x\""));
@@ -205,12 +205,23 @@ TEST(ParsePaintRule, ToStringReadsBackTheSame) {
 }
 
 TEST(ParsePaintRule, AnyTextGivesARuleOrAComplaint) {
-  const std::string letters = "alvisbedihrfcgowmtkxyz=>:+-,.0123456789 #\n\t";
+  const std::string letters = "alvisbedihrfcgowmtkxyzpnu=>:+-,./@<0123456789 #\n\t";
   std::mt19937 random(7);
   for (int round = 0; round < 20000; ++round) {
-    std::string text = std::vector<std::string>{
-        "all:+1",        "dihedral>30:=2", "faces=1,2-4:-1", "visible:+3", "flood=3:+1",
-        "smart=3,40:=2", "connected=1:-1", "mirror=xz",      "grow"}[random() % 9];
+    std::string text = std::vector<std::string>{"all:+1",
+                                                "dihedral>30:=2",
+                                                "faces=1,2-4:-1",
+                                                "visible:+3",
+                                                "flood=3:+1",
+                                                "smart=3,40:=2",
+                                                "connected=1:-1",
+                                                "mirror=xz",
+                                                "grow",
+                                                "tolerance=0.01d:max in painted",
+                                                "budget=500t,greatest",
+                                                "screen=4px,silhouettes=2@a.json",
+                                                "curve=curvature,5/0,40/3:add",
+                                                "curvature>12deg:max3 in unpainted"}[random() % 14];
     for (auto count = random() % 4; count > 0; --count) {
       const char letter = letters[random() % letters.size()];
       const std::size_t at = random() % (text.size() + 1);
@@ -260,7 +271,9 @@ TEST(ParsePaintRules, ErrorsNameSourceAndLine) {
 class ApplyPaintRule : public ::testing::Test {
  protected:
   Result<void> apply(std::string_view text, const VisibleFaces& visible = {}) {
-    return apply_paint_rule(*cube_, parse_paint_rule(text).value(), visible, depths_);
+    PaintContext context;
+    context.visible = visible;
+    return apply_paint_rule(*cube_, parse_paint_rule(text).value(), context, depths_);
   }
 
   std::shared_ptr<const ControlMesh> cube_ = load_bundled_mesh("cube").value().mesh;

@@ -45,6 +45,12 @@ Mesh fold(double scale, double offset) {
   return from_obj(text.str());
 }
 
+PaintContext seeing(VisibleFaces visible) {
+  PaintContext context;
+  context.visible = std::move(visible);
+  return context;
+}
+
 std::vector<std::uint32_t> selected(const Mesh& mesh, const Selection& selection) {
   return select_faces(*mesh, FaceDepths(mesh->face_count()), selection, {}).value();
 }
@@ -141,13 +147,13 @@ TEST(SelectFaces, AFaceThatIsNotThereIsNamed) {
 TEST(SelectFaces, VisibleAsksWhoCanDraw) {
   const Mesh cube = bundled("cube");
   const VisibleFaces front = [] { return std::vector<std::uint32_t>{1, 4}; };
-  EXPECT_THAT(select_faces(*cube, FaceDepths(6), SelectVisible{}, front).value(),
+  EXPECT_THAT(select_faces(*cube, FaceDepths(6), SelectVisible{}, seeing(front)).value(),
               ElementsAre(1, 4));
 
   const VisibleFaces broken = []() -> Result<std::vector<std::uint32_t>> {
     return fail(ErrorKind::kEnvironment, "no OpenGL");
   };
-  const auto failed = select_faces(*cube, FaceDepths(6), SelectVisible{}, broken);
+  const auto failed = select_faces(*cube, FaceDepths(6), SelectVisible{}, seeing(broken));
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().kind, ErrorKind::kEnvironment);
 

@@ -9,15 +9,17 @@
 
 namespace limn {
 
-/// What painting does to a face: raise or lower it, or set it outright. The result stays within
-/// 0..kMaxDepth.
+/// What painting does to a face: raise or lower it, set it outright, or hold it to a least or
+/// greatest depth. The result stays within 0..kMaxDepth.
 struct DepthChange {
-  enum class Kind { kAdd, kSet };
+  enum class Kind { kAdd, kSet, kAtLeast, kAtMost };
   Kind kind = Kind::kAdd;
   int amount = 1;
 
   [[nodiscard]] static DepthChange add(int amount) noexcept { return {Kind::kAdd, amount}; }
   [[nodiscard]] static DepthChange set(int depth) noexcept { return {Kind::kSet, depth}; }
+  [[nodiscard]] static DepthChange at_least(int depth) noexcept { return {Kind::kAtLeast, depth}; }
+  [[nodiscard]] static DepthChange at_most(int depth) noexcept { return {Kind::kAtMost, depth}; }
   [[nodiscard]] int operator()(int depth) const noexcept;
   [[nodiscard]] bool operator==(const DepthChange&) const = default;
 };

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <variant>
 #include <vector>
 
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
+#include "limn/painting/auto_depth/face_measure.h"
 #include "limn/painting/face_depths.h"
+#include "limn/painting/paint_context.h"
 
 namespace limn {
 
@@ -64,12 +65,26 @@ struct SelectConnected {
   [[nodiscard]] bool operator==(const SelectConnected&) const = default;
 };
 
+/// Faces for which a measure is greater than a value, or less. For dihedral angles
+/// `SelectDihedral`.
+struct SelectMeasured {
+  FaceMeasure measure = FaceMeasure::kCurvature;
+  bool is_above = true;
+  double value = 0.0;  ///< In the measure's unit.
+
+  [[nodiscard]] bool operator==(const SelectMeasured&) const = default;
+};
+
+/// Faces whose depth is not 0 when the rule's turn comes, or those where it is.
+struct SelectPainted {
+  bool is_painted = true;
+
+  [[nodiscard]] bool operator==(const SelectPainted&) const = default;
+};
+
 /// Which faces a paint rule changes.
 using Selection = std::variant<SelectAll, SelectVisible, SelectDihedral, SelectFaces, SelectFlood,
-                               SelectSmart, SelectConnected>;
-
-/// Answers `SelectVisible`: the control faces that show, ascending. Supplied by whoever can draw.
-using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
+                               SelectSmart, SelectConnected, SelectMeasured, SelectPainted>;
 
 /// The dihedral angle of every edge, in degrees; 0 for boundary edges. Face normals are Newell's,
 /// so non-planar polygons have one too; a face without area has none, and no angle with its
@@ -81,11 +96,11 @@ using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
 [[nodiscard]] std::vector<double> face_dihedral_angles(const ControlMesh& mesh);
 
 /// The selected faces, ascending, of a painting with one depth per face. Errors: kUsage where a
-/// face number is out of range, and whatever `visible` returns; `visible` may be empty, then
-/// SelectVisible fails with kUsage.
+/// face number is out of range or the context lacks what is asked for, and whatever it returns;
+/// kCancelled.
 [[nodiscard]] Result<std::vector<std::uint32_t>> select_faces(const ControlMesh& mesh,
                                                               const FaceDepths& depths,
                                                               const Selection& selection,
-                                                              const VisibleFaces& visible);
+                                                              const PaintContext& context);
 
 }  // namespace limn

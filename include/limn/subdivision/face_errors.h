@@ -19,6 +19,10 @@ inline constexpr std::size_t kErrorLevels = kMaxDepth + 2;
 /// evenly by 0, 1, 2, ... levels. Never grows from level to level.
 using LevelErrors = std::array<float, kErrorLevels>;
 
+[[nodiscard]] inline float at_level(const LevelErrors& errors, int level) noexcept {
+  return errors[static_cast<std::size_t>(level)];
+}
+
 /// What is asked of errors.
 struct FaceErrorOptions {
   CornerRule corners = CornerRule::kSharp;
@@ -36,14 +40,14 @@ struct FaceErrorOptions {
 /// diagonal, are from the Catmull-Clark limit surface.
 ///
 /// Away from irregular vertices the surface is a bicubic, and a quad of side h differs from it by
-/// its second derivatives times h^2 / 8 (limit positions; in each direction, along both diagonals).
-/// Only what stands out of the surface counts, and across boundaries and creases what is not along
-/// them: a distance is a distance to the surface and not to a point of it. Around irregular
-/// vertices and creases that wear off the quads are measured level by level at their corners,
-/// middles and centre, until they are near enough. (The bound of the literature, M / 4 and M / 3
-/// with the second-order norm M of the 16 control points, is the same with the greatest second
-/// difference in place of derivatives, and the sum of both directions; it counts what lies within
-/// the surface too.)
+/// its second derivatives times h^2 / 8 (limit positions; in each direction, and along the
+/// diagonal). Only what stands out of the surface counts, and across boundaries and creases what is
+/// not along them: a distance is a distance to the surface and not to a point of it. Around
+/// irregular vertices and creases that wear off the quads are measured level by level at their
+/// corners, middles and centre, until they are near enough. (The bound of the literature, M / 4 and
+/// M / 3 with the second-order norm M of the 16 control points, is the same with the greatest
+/// second difference in place of derivatives, and the sum of both directions; it counts what lies
+/// within the surface too.)
 ///
 /// An estimate, from above as a rule: derivatives are sampled at nine places of a bicubic. Measure
 /// the refined mesh (comparison/limit_distance.h) to know. Time is linear in the faces, more for

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "limn/error.h"
+#include "limn/mesh/control_mesh.h"
+#include "limn/painting/face_depths.h"
+#include "limn/progress.h"
+#include "limn/subdivision/settings.h"
+
+namespace limn {
+
+/// Depths that were chosen, and what is expected of them.
+struct ChosenDepths {
+  FaceDepths depths;
+  double expected_error = 0.0;  ///< The greatest distance to the limit surface, in mesh units.
+  std::size_t short_faces = 0;  ///< Faces that kMaxDepth levels do not suffice for.
+};
+
+/// The least depths at which each face, refined evenly, stays within a distance of the limit
+/// surface (subdivision/face_errors.h), for vertices where `settings` put them. Where the paper's
+/// uniform first step adds a level, depths are one less.
+///
+/// In a mixed-level mesh a face may be refined further than asked, beside deeper ones, and is never
+/// refined less. Measure the refined mesh to know what was reached.
+/// `distances`, in mesh units and not negative, are one for all faces or one a face; infinite ones
+/// ask for nothing. Errors: kCancelled; kUsage where the settings ask for Loop's scheme.
+[[nodiscard]] Result<ChosenDepths> depths_for_tolerance(const ControlMesh& mesh,
+                                                        const SubdivisionSettings& settings,
+                                                        std::span<const double> distances,
+                                                        Progress& progress);
+
+}  // namespace limn
