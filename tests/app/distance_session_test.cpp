@@ -47,7 +47,6 @@ TEST_F(DistanceSession, IsMeasuredOnceWhenAsked) {
   paint(3);
   EXPECT_FALSE(status().figures) << "these were another mesh's";
   EXPECT_FALSE(session_.distance().is_busy()) << "nobody has asked again";
-  EXPECT_FALSE(session_.history().redo_name().size() > 0);
 }
 
 TEST_F(DistanceSession, IsKeptUpWhileItColoursTheFaces) {
@@ -72,7 +71,7 @@ TEST_F(DistanceSession, IsKeptUpWhileItColoursTheFaces) {
 
 TEST_F(DistanceSession, StopsWhenCancelled) {
   session_.perform(kTintDistance);
-  session_.begin_stroke(DepthChange::set(6));
+  session_.begin_stroke(DepthChange::set(4));
   session_.touch(std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
   session_.end_stroke();
   while (!session_.distance().is_busy()) {

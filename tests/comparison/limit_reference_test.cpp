@@ -28,7 +28,7 @@ class Triangles {
  public:
   using Corners = std::array<glm::dvec3, 3>;
 
-  explicit Triangles(std::vector<Corners> corners) {
+  explicit Triangles(const std::vector<Corners>& corners) {
     for (const Corners& t : corners) {
       const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3.0;
       const double radius = std::max(
@@ -210,7 +210,8 @@ void expect_as_by_opensubdiv(const Case& at) {
       for (std::size_t j = 0; j < 2 * (parts - i) - 1; ++j) {
         const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
         const double u = (static_cast<double>(i) + third) / static_cast<double>(parts);
-        const double v = (static_cast<double>(j / 2) + third) / static_cast<double>(parts);
+        const std::size_t before = j / 2;
+        const double v = (static_cast<double>(before) + third) / static_cast<double>(parts);
         const double distance = limit_triangles.distance_to(a + u * (b - a) + v * (c - a));
         ASSERT_LE(distance, 1.06 * measured.of_faces[faces[t]] + 0.01 * measured.greatest() + noise)
             << "face " << faces[t];
@@ -283,6 +284,9 @@ TEST(LimitDistanceReference, OfCreases) {
 
 TEST(LimitDistanceReference, OfBundledMeshes) {
   for (const char* name : {"mixed", "torus_open"}) {
+    if (effort() < 1.0 && std::string(name) != "mixed") {
+      continue;
+    }
     const MeshPointer mesh = load_bundled_mesh(name)->mesh;
     Random random(11);
     expect_as_by_opensubdiv({name, mesh, random_depths(*mesh, 0.3, 1, random), {}});
