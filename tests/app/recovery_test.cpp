@@ -72,7 +72,7 @@ class RecoveryTest : public testing::Test {
     return copy;
   }
   static SessionHost host(const fs::path& common) {
-    return {[] {}, {}, common};
+    return {[] {}, {}, {}, common};
   }
 
   const test::ScratchFolder scratch_;
