@@ -70,6 +70,9 @@ CutSurface<Scalar> cut(const Mesh& mesh, Points<Scalar> points, Sweep& sweep) {
       cut_block(mesh, points, b * kBlock, std::min(faces, (b + 1) * kBlock), blocks[b]);
     }
   });
+  if (sweep.is_cancelled()) {
+    return {};
+  }
   std::size_t triangles = 0;
   std::size_t centroids = 0;
   for (CutBlock& block : blocks) {
@@ -100,6 +103,9 @@ CutSurface<Scalar> cut(const Mesh& mesh, Points<Scalar> points, Sweep& sweep) {
       }
     }
   });
+  if (sweep.is_cancelled()) {
+    return {};
+  }
   return result;
 }
 

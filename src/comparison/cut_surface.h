@@ -25,7 +25,7 @@ struct CutSurface {
   LargeArray<std::uint32_t> faces;                     ///< For every triangle.
 };
 
-/// Coordinates as they are in the mesh. Incomplete where `sweep` is cancelled.
+/// Coordinates as they are in the mesh. Empty where `sweep` is cancelled.
 [[nodiscard]] CutSurface<double> cut_surface(const ControlMesh& mesh, Sweep& sweep);
 /// Coordinates relative to RefinedMesh::origin.
 [[nodiscard]] CutSurface<float> cut_surface(const RefinedMesh& mesh, Sweep& sweep);

@@ -258,6 +258,9 @@ template <class Surface, class Other, class Found>
 void measure_directed(const Surface& surface, const Other& other, const Found& found,
                       std::span<GroupDistance> groups, Sweep& sweep) {
   using sampling::Tally;
+  if (sweep.is_cancelled()) {
+    return;
+  }
   const std::vector<sampling::AtVertex> vertices =
       sampling::look_at_vertices(surface, other, sweep);
   const std::vector<sampling::Portion> portions = sampling::portions_of(surface);

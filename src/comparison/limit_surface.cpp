@@ -9,6 +9,9 @@ LimitSurface::LimitSurface(RefinedMesh points, std::vector<bool> is_looked_at, S
       normals_(std::move(points.normals)),
       control_faces_(std::move(points.face_control_faces)),
       is_looked_at_(std::move(is_looked_at)) {
+  if (point_count() == 0) {
+    return;  // Cancelled.
+  }
   // A crease has two normals, a corner many, the centre of a polygon an unknown one.
   normals_.resize(point_count(), glm::vec3(0.0f));
   for (const RefinedCrease& crease : points.creases) {

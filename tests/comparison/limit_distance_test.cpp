@@ -73,6 +73,29 @@ TEST(LimitDistance, StopsWhenAsked) {
   EXPECT_EQ(cancelled.error().kind, ErrorKind::kCancelled);
 }
 
+/// Whatever it is at.
+TEST(LimitDistance, CanBeStoppedAtAnyTime) {
+  class StopAt final : public Progress {
+   public:
+    explicit StopAt(int reports) : left_(reports) {}
+    bool report(double, std::string_view) override { return --left_ >= 0; }
+    [[nodiscard]] bool has_stopped() const { return left_ < 0; }
+
+   private:
+    int left_;
+  };
+  IgnoreProgress nobody;
+  const VertexLabels labels(8, 3);
+  const RefinedMesh refined = refine(*cube(), labels, {}, {}, nobody).value();
+  bool is_stopped = true;
+  for (int reports = 0; is_stopped; ++reports) {
+    StopAt stop(reports);
+    const auto measured = measure_limit_distance(*cube(), labels, {}, refined, stop);
+    is_stopped = stop.has_stopped();
+    EXPECT_EQ(measured.has_value(), !is_stopped) << reports;
+  }
+}
+
 TEST(LimitDistance, IsOfCatmullClarkAlone) {
   IgnoreProgress nobody;
   const SubdivisionSettings settings{.scheme = RefinementScheme::kLoop};
