@@ -75,7 +75,8 @@ bool Session::perform_rule(const ui::Action& action) {
 
 void Session::paint(const PaintRule& rule, const std::string& what) {
   end_stroke();
-  const PaintContext context{document_.settings, host_.visible_faces, host_.views, nullptr};
+  const PaintContext context{document_.settings, host_.visible_faces, host_.views,
+                             &document_.demands, nullptr};
   auto plan = plan_paint_rule(*document_.control, rule, context, document_.depths);
   if (!plan) {
     toast(Kind::kProblem, plan.error().message);

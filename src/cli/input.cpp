@@ -208,9 +208,14 @@ Result<Project> open_painted(const PaintingOptions& options, const MakePaintCont
   for (const CreaseRule& rule : options.creases) {
     crease_command(document, rule)->apply(document);
   }
+  // Before the rules: a budget counts what is demanded.
+  if (auto demanded = apply_fine_rules(document, options.fine); !demanded) {
+    return tl::unexpected(std::move(demanded.error()));
+  }
   TerminalProgress progress;
   PaintContext context = make_context(*project);
   context.settings = document.settings;
+  context.demands = &document.demands;
   context.progress = &progress;
   for (const PaintRule& rule : options.rules) {
     if (auto painted = apply_paint_rule(*document.control, rule, context, document.depths);
@@ -220,9 +225,6 @@ Result<Project> open_painted(const PaintingOptions& options, const MakePaintCont
     if (clears_all(rule)) {
       document.demands = {};
     }
-  }
-  if (auto demanded = apply_fine_rules(document, options.fine); !demanded) {
-    return tl::unexpected(std::move(demanded.error()));
   }
   return project;
 }

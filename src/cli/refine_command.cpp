@@ -14,6 +14,7 @@
 #include "cli/batch.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/limit_report.h"
 #include "cli/mesh_output.h"
 #include "cli/report.h"
 #include "cli/view_options.h"
@@ -70,9 +71,16 @@ Result<nlohmann::ordered_json> refine_and_write(const RefineOptions& options) {
       return tl::unexpected(written.error());
     }
   }
+  const auto reached = measure_reached(options.painting, document, *derived);
+  if (!reached) {
+    return tl::unexpected(reached.error());
+  }
   nlohmann::ordered_json report;
   if (options.json) {
     report = refinement_report(document, *derived);
+    if (*reached) {
+      report["distance_to_limit"] = reached_report(**reached);
+    }
     if (options.steps) {
       report["legalisation"] = legalisation_report(document, *derived);
     }
@@ -80,8 +88,8 @@ Result<nlohmann::ordered_json> refine_and_write(const RefineOptions& options) {
       report["output"] = options.output.path;
     }
   } else {
-    fmt::print(stderr, "{}{}", options.inputs.size() > 1 ? options.painting.input + "\n" : "",
-               refinement_text(document, *derived));
+    fmt::print(stderr, "{}{}{}", options.inputs.size() > 1 ? options.painting.input + "\n" : "",
+               refinement_text(document, *derived), *reached ? reached_text(**reached) : "");
   }
   return report;
 }

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kChoiceWords{"tolerance", "budget", "screen", "curve"};
 constexpr std::array<std::string_view, 4> kMergeWords{"set", "max", "min", "add"};
+constexpr std::array<std::string_view, 3> kGoalWords{"rms", "greatest", "random"};
 constexpr int kMostSilhouetteLevels = 3;
 
 /// A choice cut into its parts.
@@ -143,14 +144,14 @@ Result<DepthChoice> parse_budget(const Parts& parts) {
         shown(parts.values.front())));
   }
   if (parts.values.size() == 2) {
-    if (parts.values[1] != "greatest" && parts.values[1] != "rms") {
+    const auto goal = std::ranges::find(kGoalWords, parts.values[1]);
+    if (goal == kGoalWords.end()) {
       return misread(
           fmt::format("{} is no goal of a budget; write \"rms\" or \"greatest\", the error that "
-                      "shall be least.",
+                      "shall be least, or \"random\" to compare with.",
                       shown(parts.values[1])));
     }
-    budget.goal =
-        parts.values[1] == "rms" ? FaceBudget::Goal::kMeanSquare : FaceBudget::Goal::kGreatest;
+    budget.goal = static_cast<FaceBudget::Goal>(goal - kGoalWords.begin());
   }
   return DepthChoice(budget);
 }
@@ -255,7 +256,9 @@ struct ChoiceText {
   std::string operator()(const FaceBudget& budget) const {
     return fmt::format("budget={}{}{}", budget.most,
                        budget.unit == FaceBudget::Unit::kTriangles ? "t" : "",
-                       budget.goal == FaceBudget::Goal::kGreatest ? ",greatest" : "");
+                       budget.goal == FaceBudget{}.goal
+                           ? std::string{}
+                           : fmt::format(",{}", kGoalWords[static_cast<std::size_t>(budget.goal)]));
   }
   std::string operator()(const ChooseByScreen& choice) const {
     return fmt::format("screen={}{}{}{}", choice.size.pixels,

@@ -60,7 +60,7 @@ struct Choose {
                      : Chosen(tl::unexpected(distances.error()));
   }
   Chosen operator()(const FaceBudget& budget) const {
-    return depths_for_budget(mesh, context.settings, budget, finish, progress)
+    return depths_for_budget(mesh, context.settings, {budget, finish, context.demands}, progress)
         .map([](BudgetedDepths budgeted) { return std::move(budgeted.chosen); });
   }
   Chosen operator()(const ChooseByScreen& choice) const {

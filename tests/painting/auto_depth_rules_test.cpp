@@ -68,9 +68,10 @@ TEST(ParseDepthChoice, ReadsSelectionsByMeasure) {
 TEST(ParseDepthChoice, IsWrittenAsItIsRead) {
   for (const char* text :
        {"tolerance=0.001d", "tolerance=2:max", "tolerance=0.5px@a.json@b.json:add", "budget=50000",
-        "budget=9t,greatest:min in painted", "screen=4px", "screen=16px2,silhouettes=3@c.json",
-        "curve=curvature,5/0,20/2,60/4", "curve=screen,4/0,400/5@c.json", "curvature>12deg:+1",
-        "screen<3px:=0", "edge>0.1d:max4 in faces=0,2-3", "unpainted:=1", "grow in visible"}) {
+        "budget=9t,greatest:min in painted", "budget=80,random", "screen=4px",
+        "screen=16px2,silhouettes=3@c.json", "curve=curvature,5/0,20/2,60/4",
+        "curve=screen,4/0,400/5@c.json", "curvature>12deg:+1", "screen<3px:=0",
+        "edge>0.1d:max4 in faces=0,2-3", "unpainted:=1", "grow in visible"}) {
     EXPECT_EQ(read(text), text);
   }
 }

@@ -15,6 +15,7 @@
 #include "limn/painting/auto_depth/screen_size.h"
 #include "limn/painting/auto_depth/tolerance.h"
 #include "limn/subdivision/face_errors.h"
+#include "limn/subdivision/fine_labels.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "support/attribute_shapes.h"
 #include "support/shapes.h"
@@ -155,9 +156,8 @@ TEST(Budget, IsNeverExceededAndNearlySpent) {
         SubdivisionSettings settings;
         settings.non_quads = rule;
         const std::uint64_t most = 12 * mesh->face_count() + random() % 4000;
-        const auto same = [](const FaceDepths& depths) { return depths; };
         const BudgetedDepths found =
-            depths_for_budget(*mesh, settings, {most, FaceBudget::Unit::kFaces, goal}, same,
+            depths_for_budget(*mesh, settings, {{most, FaceBudget::Unit::kFaces, goal}, {}},
                               progress)
                 .value();
         EXPECT_EQ(found.count, faces_of(*mesh, found.chosen.depths, settings));
@@ -173,9 +173,8 @@ TEST(Budget, CountsTriangles) {
   SubdivisionSettings settings;
   settings.non_quads = NonQuadRule::kWherePainted;
   IgnoreProgress progress;
-  const auto same = [](const FaceDepths& depths) { return depths; };
   const BudgetedDepths found =
-      depths_for_budget(*mesh, settings, {2000, FaceBudget::Unit::kTriangles}, same, progress)
+      depths_for_budget(*mesh, settings, {{2000, FaceBudget::Unit::kTriangles}, {}}, progress)
           .value();
   const RefinedMesh refined =
       refine(*mesh, legal(*mesh, found.chosen.depths, settings), settings, {}, progress).value();
@@ -202,14 +201,30 @@ TEST(Budget, CountsWhatIsPaintedAlready) {
     }
     return finished;
   };
-  const BudgetedDepths found = depths_for_budget(*mesh, {}, {10'000}, finish, progress).value();
+  const BudgetedDepths found = depths_for_budget(*mesh, {}, {{10'000}, finish}, progress).value();
   EXPECT_EQ(found.count, faces_of(*mesh, finish(found.chosen.depths), {}));
   EXPECT_LE(found.count, 10'000U);
   EXPECT_GT(found.count, 7'000U);
-  const auto refused = depths_for_budget(*mesh, {}, {3'000}, finish, progress);
+  const auto refused = depths_for_budget(*mesh, {}, {{3'000}, finish}, progress);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::kOverBudget);
   EXPECT_THAT(refused.error().message, HasSubstr("3000"));
+}
+
+TEST(Budget, CountsDemandsOnFinerFaces) {
+  const MeshPointer mesh = bundled_mesh("creature");
+  IgnoreProgress progress;
+  FineDemands demands;
+  const std::vector<FineDemand> wanted{{{12, 0, 1, 0, 1}, 6}, {{700, 0, 2, 3, 3}, 6}};
+  demands.raise(wanted);
+  const BudgetedDepths found =
+      depths_for_budget(*mesh, {}, {{10'000}, {}, &demands}, progress).value();
+  const LabelsWithDemands labels =
+      legal_labels(*mesh, found.chosen.depths.values(), demands, {}, progress).value();
+  EXPECT_EQ(found.count,
+            predict_refinement(*mesh, labels.legal.labels, kAllLevels, labels.fine.get()).faces);
+  EXPECT_LE(found.count, 10'000U);
+  EXPECT_LT(faces_of(*mesh, found.chosen.depths, {}), found.count);
 }
 
 TEST(Budget, LeavesLessErrorThanAnEvenPaintingWithMoreFaces) {
@@ -226,11 +241,10 @@ TEST(Budget, LeavesLessErrorThanAnEvenPaintingWithMoreFaces) {
   for (std::size_t f = 0; f < even.size(); ++f) {
     even.set(f, 2);
   }
-  const auto same = [](const FaceDepths& depths) { return depths; };
   const std::uint64_t quarter = faces_of(*mesh, even, settings) / 4;
   const BudgetedDepths found =
       depths_for_budget(*mesh, settings,
-                        {quarter, FaceBudget::Unit::kFaces, FaceBudget::Goal::kGreatest}, same,
+                        {{quarter, FaceBudget::Unit::kFaces, FaceBudget::Goal::kGreatest}, {}},
                         progress)
           .value();
   EXPECT_LT(measured(*mesh, found.chosen.depths, settings), 0.5 * measured(*mesh, even, settings));
@@ -254,11 +268,10 @@ TEST(Budget, IsNearTheOptimumOnASquashedCube) {
     }
     return greatest;
   };
-  const auto same = [](const FaceDepths& depths) { return depths; };
   for (const std::uint64_t most : {30U, 60U, 120U, 250U, 500U}) {
     const BudgetedDepths found =
         depths_for_budget(*mesh, settings,
-                          {most, FaceBudget::Unit::kFaces, FaceBudget::Goal::kGreatest}, same,
+                          {{most, FaceBudget::Unit::kFaces, FaceBudget::Goal::kGreatest}, {}},
                           progress)
             .value();
     double optimum = std::numeric_limits<double>::infinity();

@@ -11,15 +11,18 @@
 
 namespace limn {
 
+class FineDemands;
+
 /// Answers `SelectVisible`: the control faces that show, ascending. Supplied by whoever can draw.
 using VisibleFaces = std::function<Result<std::vector<std::uint32_t>>()>;
 
 /// What rules may ask for besides the mesh and its painting.
 struct PaintContext {
-  SubdivisionSettings settings;  ///< How the painting will be refined.
-  VisibleFaces visible;          ///< May be empty: then nobody can say what is visible,
-  ScreenViews views;             ///< and there are no cameras.
-  Progress* progress = nullptr;  ///< May be null: nobody watches.
+  SubdivisionSettings settings;          ///< How the painting will be refined.
+  VisibleFaces visible;                  ///< May be empty: then nobody can say what is visible,
+  ScreenViews views;                     ///< and there are no cameras.
+  const FineDemands* demands = nullptr;  ///< What is painted on finer faces, which a budget counts.
+  Progress* progress = nullptr;          ///< May be null: nobody watches.
 };
 
 }  // namespace limn

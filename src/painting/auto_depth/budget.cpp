@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <random>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 
 #include "limn/contract.h"
 #include "limn/subdivision/face_errors.h"
+#include "limn/subdivision/fine_labels.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/labels.h"
 #include "limn/subdivision/prediction.h"
@@ -54,18 +56,23 @@ double area_of(const ControlMesh& mesh, std::size_t f) {
 /// What refining a painting gives.
 class Counter {
  public:
-  Counter(const ControlMesh& mesh, const SubdivisionSettings& settings, FaceBudget::Unit unit,
+  Counter(const ControlMesh& mesh, const SubdivisionSettings& settings, const BudgetTask& task,
           Progress& progress)
-      : mesh_(&mesh), settings_(&settings), unit_(unit), progress_(&progress) {}
+      : mesh_(&mesh), settings_(&settings), task_(&task), progress_(&progress) {}
 
-  [[nodiscard]] Result<std::uint64_t> count(const FaceDepths& depths) const {
-    const Result<Legalisation> legal =
-        legal_labels(*mesh_, depths.values(), *settings_, *progress_);
-    if (!legal) {
-      return tl::unexpected(legal.error());
+  /// Of proposed depths, once they are finished.
+  [[nodiscard]] Result<std::uint64_t> count(const FaceDepths& proposed) const {
+    const FaceDepths depths = task_->finish ? task_->finish(proposed) : proposed;
+    const Result<LabelsWithDemands> labels = legal_labels(
+        *mesh_, depths.values(), task_->demands != nullptr ? *task_->demands : FineDemands(),
+        *settings_, *progress_);
+    if (!labels) {
+      return tl::unexpected(labels.error());
     }
-    const std::uint64_t faces = predict_refinement(*mesh_, legal->labels).faces;
-    return unit_ == FaceBudget::Unit::kFaces ? faces : triangles(faces, legal->labels);
+    const std::uint64_t faces =
+        predict_refinement(*mesh_, labels->legal.labels, kAllLevels, labels->fine.get()).faces;
+    return task_->budget.unit == FaceBudget::Unit::kFaces ? faces
+                                                          : triangles(faces, labels->legal.labels);
   }
 
  private:
@@ -84,7 +91,7 @@ class Counter {
 
   const ControlMesh* mesh_;
   const SubdivisionSettings* settings_;
-  FaceBudget::Unit unit_;
+  const BudgetTask* task_;
   Progress* progress_;
 };
 
@@ -130,22 +137,37 @@ Result<std::vector<LevelErrors>> errors_for(const ControlMesh& mesh,
   return face_errors(mesh, options, progress);
 }
 
+/// How long a face waits until it is hit once more, where all are hit equally often.
+double random_wait(std::mt19937& random) {
+  return -std::log((static_cast<double>(random()) + 1.0) / 4294967296.0) + 1e-9;
+}
+
 /// Every step of every face, the most rewarding first; of each face they stay in order.
 std::vector<Step> ordered_steps(const ControlMesh& mesh, const SubdivisionSettings& settings,
                                 const FaceBudget& budget, std::span<const LevelErrors> errors) {
   const int first_step = first_step_levels(mesh, settings);
   const int deepest = deepest_affordable(mesh, budget.most);
   std::vector<Step> steps;
+  std::mt19937 random(1);
   for (std::uint32_t f = 0; f < errors.size(); ++f) {
     const double area = area_of(mesh, f);
     double last_gain = std::numeric_limits<double>::max();
+    double waited = 0.0;
     for (int depth = 0; depth < deepest; ++depth) {
       // A face that is first to be painted gets the uniform first step as well.
       const double before = at_level(errors[f], depth + first_step);
       const double after = at_level(errors[f], depth + 1 + first_step);
       double gain = before;
-      if (budget.goal == FaceBudget::Goal::kMeanSquare) {
-        gain = (before * before - after * after) * area / std::ldexp(3.0, 2 * depth);
+      switch (budget.goal) {
+        case FaceBudget::Goal::kMeanSquare:
+          gain = (before * before - after * after) * area / std::ldexp(3.0, 2 * depth);
+          break;
+        case FaceBudget::Goal::kGreatest:
+          break;
+        case FaceBudget::Goal::kRandom:
+          waited += random_wait(random);
+          gain = 1.0 / waited;
+          break;
       }
       gain = std::min(gain, last_gain);
       if (!(gain > 0.0)) {
@@ -204,14 +226,14 @@ std::size_t next_probe(const Probe& fits, const Probe& exceeds, std::uint64_t mo
 
 Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,
                                          const SubdivisionSettings& settings,
-                                         const FaceBudget& budget, const FinishDepths& finish,
-                                         Progress& progress) {
+                                         const BudgetTask& task, Progress& progress) {
   if (Result<void> has_limit = check_has_limit(settings); !has_limit) {
     return tl::unexpected(std::move(has_limit.error()));
   }
-  const Counter counter(mesh, settings, budget.unit, progress);
+  const FaceBudget& budget = task.budget;
+  const Counter counter(mesh, settings, task, progress);
   const auto probe = [&](std::span<const Step> steps) {
-    return counter.count(finish(depths_after(steps, mesh.face_count())));
+    return counter.count(depths_after(steps, mesh.face_count()));
   };
   const Result<std::uint64_t> least = probe({});
   if (!least) {

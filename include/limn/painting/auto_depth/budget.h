@@ -12,12 +12,15 @@
 
 namespace limn {
 
+class FineDemands;
+
 /// The most that a refined mesh may have, and what to make of it.
 struct FaceBudget {
   enum class Unit { kFaces, kTriangles };
   enum class Goal {
     kMeanSquare,  ///< The least error over all of the surface: squares removed per face added.
     kGreatest,    ///< The least greatest error: whatever is worst comes next.
+    kRandom,      ///< None: faces at random, always the same ones. What others are held against.
   };
   std::uint64_t most = 50'000;
   Unit unit = Unit::kFaces;
@@ -30,6 +33,13 @@ struct FaceBudget {
 /// selection, or combined with what is painted.
 using FinishDepths = std::function<FaceDepths(const FaceDepths& proposed)>;
 
+/// What a budget is spent on.
+struct BudgetTask {
+  FaceBudget budget;
+  FinishDepths finish;                   ///< Empty: depths are taken as proposed.
+  const FineDemands* demands = nullptr;  ///< On finer faces; null: none.
+};
+
 /// Depths that were chosen, and how much the mesh they make has: faces or triangles, as asked.
 struct BudgetedDepths {
   ChosenDepths chosen;  ///< As proposed, before they are finished.
@@ -37,9 +47,9 @@ struct BudgetedDepths {
 };
 
 /// Spends a budget: raises faces level by level in the order of what that gains until nothing more
-/// fits. Faces are counted exactly, as refined from `finish(depths)`: with all that labels,
-/// legalisation and faces that are no quads add. Never over the budget; the same depths for the
-/// same question, on any number of threads.
+/// fits. Faces are counted exactly, as refined from `finish(depths)` and the demands: with all that
+/// labels, legalisation and faces that are no quads add. Never over the budget; the same depths for
+/// the same question, on any number of threads.
 ///
 /// What a level gains follows from `face_errors`, the error's square times the face's area; what it
 /// costs are the three faces that each of the present ones then has more. So the order is known
@@ -48,8 +58,6 @@ struct BudgetedDepths {
 /// where the settings ask for Loop's scheme.
 [[nodiscard]] Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,
                                                        const SubdivisionSettings& settings,
-                                                       const FaceBudget& budget,
-                                                       const FinishDepths& finish,
-                                                       Progress& progress);
+                                                       const BudgetTask& task, Progress& progress);
 
 }  // namespace limn
