@@ -15,8 +15,8 @@
 #include "cli/console.h"
 #include "cli/input.h"
 #include "cli/view_options.h"
-#include "limn/comparison/limit_distance.h"
 #include "limn/comparison/surface_distance.h"
+#include "limn/document/measured_refinement.h"
 #include "limn/subdivision/label_subdivision.h"
 
 namespace limn::cli {
@@ -129,32 +129,19 @@ Result<PaintedMesh> open_refined(PaintingOptions options, const ViewOptions& vie
 }
 
 Result<void> measure_to_limit(const PaintedMesh& mesh, Distances& distances) {
-  const Document& document = mesh.project.document;
-  const VertexLabels labels = labels_up_to(mesh.derived.labels, mesh.levels);
   TerminalProgress progress;
-  std::shared_ptr<const RefinedMesh> refined =
-      mesh.derived.refinement ? mesh.derived.refinement->mesh : nullptr;
-  if (refined == nullptr && document.settings.scheme == RefinementScheme::kCatmullClark) {
-    Result<RefinedMesh> unrefined =
-        refine(*document.control, labels, document.settings, {}, progress);
-    if (!unrefined) {
-      return tl::unexpected(std::move(unrefined.error()));
-    }
-    refined = std::make_shared<const RefinedMesh>(*std::move(unrefined));
-  }
-  if (refined == nullptr) {
-    refined = std::make_shared<const RefinedMesh>();
-  }
-  const Result<LimitDistance> measured =
-      measure_limit_distance(*document.control, labels, document.settings, *refined, progress);
+  const Derived& derived = mesh.derived;
+  const Result<MeasuredRefinement> measured =
+      measure_refinement(mesh.project.document, derived.labels, mesh.levels,
+                         derived.refinement ? derived.refinement->mesh : nullptr, progress);
   if (!measured) {
     return tl::unexpected(measured.error());
   }
-  distances.vertices = refined->vertex_count();
-  distances.faces = refined->face_count();
-  distances.to_other = measured->to_limit;
-  distances.from_other = measured->from_limit;
-  distances.is_settled = measured->is_settled;
+  distances.vertices = measured->mesh->vertex_count();
+  distances.faces = measured->mesh->face_count();
+  distances.to_other = measured->distance.to_limit;
+  distances.from_other = measured->distance.from_limit;
+  distances.is_settled = measured->distance.is_settled;
   return {};
 }
 

@@ -6,26 +6,19 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/input.h"
+#include "limn/document/measured_refinement.h"
 
 namespace limn::cli {
 
-/// A painting that a budget is held against, and how far it is from the limit surface.
-struct BudgetBaseline {
-  std::uint64_t faces = 0;
-  double greatest = 0.0;
-  double root_mean_square = 0.0;
-};
-
 /// What a painting that aims at the limit surface has come to, in mesh units.
 struct ReachedLimit {
-  std::optional<double> tolerance;  ///< Of the last rule with one that is no size on the screen.
+  std::optional<double> tolerance;  ///< Where the last rule that aims at the limit surface has
+                                    ///< one that is a length.
   double greatest = 0.0;
   double root_mean_square = 0.0;
   bool is_settled = false;
   double diagonal = 0.0;
-  std::optional<BudgetBaseline> uniform;  ///< Where the last rule that aims at the limit surface is
-                                          ///< a budget: the finest even painting within it,
-  std::optional<BudgetBaseline> random;  ///< and faces painted at random.
+  std::optional<BudgetBaselines> baselines;  ///< Where that rule is a budget.
 };
 
 /// Measures the refinement of a project that was painted by these rules, with progress on the

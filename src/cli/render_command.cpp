@@ -44,8 +44,7 @@ struct Drawable {
 };
 
 /// How far it is from the limit surface.
-Result<LimitDistance> measure_refinement(const Document& document, const Derived& derived,
-                                         int levels) {
+Result<LimitDistance> measure_drawn(const Document& document, const Derived& derived, int levels) {
   if (!derived.refinement) {
     return fail(ErrorKind::kUsage,
                 "Nothing is refined that could be coloured by its distance from the limit surface; "
@@ -71,8 +70,7 @@ Result<Drawable> make_refinement(const RenderOptions& options, const Project& pr
     return tl::unexpected(std::move(derived.error()));
   }
   if (picture.draw.colour == render::FaceColour::kDistance) {
-    Result<LimitDistance> distance =
-        measure_refinement(project.document, *derived, painting.levels);
+    Result<LimitDistance> distance = measure_drawn(project.document, *derived, painting.levels);
     if (!distance) {
       return tl::unexpected(std::move(distance.error()));
     }

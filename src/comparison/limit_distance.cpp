@@ -16,6 +16,7 @@
 #include "comparison/directed_sampling.h"
 #include "comparison/limit_surface.h"
 #include "limn/contract.h"
+#include "limn/part_of_progress.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "subdivision/sweep.h"
 
@@ -30,20 +31,6 @@ constexpr double kNothing = 2e-7;
 constexpr std::uint64_t kFewestFaces = 1'000;
 /// Samples that take no time to speak of.
 constexpr std::size_t kFewSamples = std::size_t{1} << 22;
-
-/// Part of a progress, for what reports from 0 to 1 itself.
-class PartOfMeasuring final : public Progress {
- public:
-  PartOfMeasuring(Progress& whole, double from, double to) : whole_(&whole), from_(from), to_(to) {}
-  [[nodiscard]] bool report(double fraction, std::string_view stage) override {
-    return whole_->report(from_ + fraction * (to_ - from_), stage);
-  }
-
- private:
-  Progress* whole_;
-  double from_;
-  double to_;
-};
 
 /// Distances of faces, raised by several threads.
 void raise(float& value, double to) {
@@ -137,7 +124,7 @@ Result<void> Measurement::look(std::span<const std::uint8_t> levels, int rest, d
     return tl::unexpected(labels.error());
   }
   const double refined = from + 0.1 * (to - from);
-  PartOfMeasuring part(*progress_, from, refined);
+  PartOfProgress part(*progress_, from, refined);
   Result<RefinedMesh> points = refine(*mesh_, *labels, settings_, {.normals = true}, part);
   if (!points) {
     return tl::unexpected(std::move(points.error()));

@@ -9,6 +9,7 @@
 
 #include "limn/document/memory_budget.h"
 #include "limn/document/scheme_refinement.h"
+#include "limn/part_of_progress.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/labels.h"
 #include "limn/subdivision/schemes/adaptive_loop.h"
@@ -24,20 +25,6 @@ class Stopwatch {
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Shows an algorithm's 0..1 as a part of a longer run.
-class PartOf final : public Progress {
- public:
-  PartOf(Progress& whole, double from, double to) : whole_(whole), from_(from), to_(to) {}
-  [[nodiscard]] bool report(double fraction, std::string_view stage) override {
-    return whole_.report(from_ + (to_ - from_) * fraction, stage);
-  }
-
- private:
-  Progress& whole_;
-  double from_;
-  double to_;
 };
 
 Result<DerivedLabels> label(const ControlMesh& control, std::span<const std::uint8_t> depths,
@@ -115,6 +102,14 @@ Result<DerivedLabels> derive_labels(const ControlMesh& control,
   return derived;
 }
 
+VertexLabels labels_up_to(const DerivedLabels& labels, int levels) {
+  VertexLabels result = labels.legal.labels;
+  for (std::uint8_t& label : result) {
+    label = static_cast<std::uint8_t>(std::min<int>(label, levels));
+  }
+  return result;
+}
+
 RefinementPrediction predict_derived(const ControlMesh& control, const DerivedLabels& labels,
                                      int levels) {
   if (!labels.face_depths.empty()) {
@@ -157,7 +152,7 @@ Result<Refinement> RefinementSource::derive(const ControlMesh& control, const De
     return over_memory(derived.prediction.faces, derived.prediction.bytes, options.memory_budget);
   }
   const Stopwatch refining;
-  PartOf refine_part(progress, 0.0, 0.7);
+  PartOfProgress refine_part(progress, 0.0, 0.7);
   // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): it goes back, or to whoever asked.
   std::unique_ptr<RefinedMesh> mesh = spare_->take();
   if (auto done = refine(control, labels, options, refine_part, *mesh); !done) {
@@ -175,7 +170,7 @@ Result<Refinement> RefinementSource::derive(const ControlMesh& control, const De
     return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
   }
   const Stopwatch checking;
-  PartOf check_part(progress, 0.7, 1.0);
+  PartOfProgress check_part(progress, 0.7, 1.0);
   if (!checker_.check(control, *derived.mesh, derived.cracks, check_part)) {
     return fail(ErrorKind::kCancelled, "The refinement was cancelled.");
   }

@@ -48,6 +48,9 @@ struct DerivedLabels {
                                                   Progress& progress,
                                                   const FineDemands& demands = {});
 
+/// The legal labels of a refinement that stops after so many levels.
+[[nodiscard]] VertexLabels labels_up_to(const DerivedLabels& labels, int levels);
+
 /// The refined mesh of a painting and what was found out about it.
 struct Refinement {
   std::shared_ptr<const RefinedMesh> mesh;

@@ -41,7 +41,7 @@ constexpr double kSmallestErrorThatCounts = 1e-3;
 constexpr int kMostProbes = 24;
 constexpr std::uint64_t kFineEnough = 1000;
 
-/// Vector area, halved twice: its length is the area of a planar face.
+/// Of the triangles around the first corner, added as vectors: a planar face's area.
 double area_of(const ControlMesh& mesh, std::size_t f) {
   const auto corners = mesh.face(f);
   const glm::dvec3 origin = mesh.positions()[corners[0]];

@@ -53,7 +53,7 @@ struct BudgetedDepths {
 ///
 /// What a level gains follows from `face_errors`, the error's square times the face's area; what it
 /// costs are the three faces that each of the present ones then has more. So the order is known
-/// beforehand, and how far it can be followed is found by probing: some ten counts.
+/// beforehand, and how far it can be followed is found by probing: two dozen counts at the most.
 /// Errors: kOverBudget where the mesh with nothing proposed has more already; kCancelled; kUsage
 /// where the settings ask for Loop's scheme.
 [[nodiscard]] Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,

@@ -20,7 +20,7 @@ struct ScreenView {
   double near_plane = 0.0;   ///< Nothing nearer to the eye than this, along the view, shows.
   double half_height = 1.0;  ///< Half of what is seen from top to bottom: at distance 1 from the
                              ///< eye in perspective, anywhere in orthographic.
-  double width = 1920.0;  ///< Of the picture, in pixels.
+  double width = 1920.0;     ///< Of the picture, in pixels.
   double height = 1080.0;
 };
 
