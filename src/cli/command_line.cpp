@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
   add_convert_command(program, work);
   add_subdivide_command(program, work);
   add_schemes_command(program, work);
+  add_presets_command(program, work);
   add_compare_command(program, work);
   add_symmetrise_command(program, work);
   add_split_and_flip_command(program, work);

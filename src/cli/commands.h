@@ -28,5 +28,6 @@ void add_reattach_command(CLI::App& program, Work& work);
 void add_recover_command(CLI::App& program, Work& work);
 void add_replay_command(CLI::App& program, Work& work);
 void add_classroom_command(CLI::App& program, Work& work);
+void add_presets_command(CLI::App& program, Work& work);
 
 }  // namespace limn::cli

@@ -15,6 +15,7 @@
 #include <CLI/Formatter.hpp>
 #include <CLI/Validators.hpp>
 
+#include "app/preferences.h"
 #include "cli/console.h"
 #include "limn/document/commands.h"
 #include "limn/document/memory_budget.h"
@@ -24,11 +25,13 @@
 namespace limn::cli {
 namespace {
 
+constexpr std::string_view kPreset = "preset=";
+
 std::string read_all(std::istream& in) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The rules of one --paint argument: a rule, or `@FILE` with a rule a line.
+/// The rules of one --paint argument: a rule, `@FILE` with a rule a line, or `preset=NAME`.
 std::vector<PaintRule> read_rules(const std::string& argument) {
   Result<std::vector<PaintRule>> rules;
   if (argument.starts_with('@')) {
@@ -38,6 +41,10 @@ std::vector<PaintRule> read_rules(const std::string& argument) {
       throw CLI::ValidationError("--paint", path + ": the file of rules cannot be read");
     }
     rules = parse_paint_rules(read_all(file), path);
+  } else if (argument.starts_with(kPreset)) {
+    rules = own_presets().and_then([&](const std::vector<RulePreset>& own) {
+      return rules_of_preset(own, std::string_view(argument).substr(kPreset.size()));
+    });
   } else {
     rules = parse_paint_rule(argument).map(
         [](PaintRule rule) { return std::vector<PaintRule>{std::move(rule)}; });
@@ -58,6 +65,12 @@ void add_choice(CLI::App& command, const std::string& name, std::optional<T>& va
 }
 
 }  // namespace
+
+Result<std::vector<RulePreset>> own_presets() {
+  return app::load_preferences(app::preferences_path()).map([](app::Preferences preferences) {
+    return std::move(preferences.presets);
+  });
+}
 
 void add_input_option(CLI::App& command, std::string& input) {
   command
@@ -98,7 +111,7 @@ void add_painting_options(CLI::App& command, PaintingOptions& options) {
           "them "
           "with what is painted. Or a word for the whole painting: grow, shrink, invert, smooth, "
           "clear, mirror=AXES. Any of them followed by \" in SELECTION\" changes those faces only. "
-          "@FILE reads a rule a line")
+          "@FILE reads a rule a line; preset=NAME stands for the rules of a preset (limn presets)")
       ->type_name("RULE")
       ->expected(1)
       ->take_all();
@@ -235,14 +248,6 @@ std::shared_ptr<void> limit_threads(int threads) {
   }
   return std::make_shared<oneapi::tbb::global_control>(
       oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-}
-
-VertexLabels labels_up_to(const DerivedLabels& labels, int levels) {
-  VertexLabels result = labels.legal.labels;
-  for (std::uint8_t& label : result) {
-    label = static_cast<std::uint8_t>(std::min<int>(label, levels));
-  }
-  return result;
 }
 
 Result<Derived> derive(const Project& project, const PaintingOptions& options) {

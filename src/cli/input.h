@@ -15,6 +15,7 @@
 #include "limn/error.h"
 #include "limn/painting/crease_rule.h"
 #include "limn/painting/paint_rule.h"
+#include "limn/painting/rule_presets.h"
 #include "limn/painting/selection.h"
 
 namespace CLI {
@@ -24,6 +25,9 @@ class App;
 namespace limn::cli {
 
 inline constexpr std::string_view kProjectEnding = ".limn";
+
+/// The presets that were saved in the window. Errors: those of `load_preferences`.
+[[nodiscard]] Result<std::vector<RulePreset>> own_presets();
 
 /// What every subcommand that paints and subdivides takes. Settings left out are the project's, or
 /// the defaults for a mesh file.
@@ -85,9 +89,6 @@ struct Derived {
 
 /// Holds the process to so many threads until it is destroyed; 0: as many as the machine has.
 [[nodiscard]] std::shared_ptr<void> limit_threads(int threads);
-
-/// Those of a refinement that stops after so many levels.
-[[nodiscard]] VertexLabels labels_up_to(const DerivedLabels& labels, int levels);
 
 /// The refinement of an opened project, with progress on the terminal, on `options.threads`
 /// threads.

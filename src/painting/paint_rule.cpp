@@ -236,6 +236,12 @@ bool clears_all(const PaintRule& rule) {
   return filter != nullptr && *filter == DepthFilter::kClear && !rule.within;
 }
 
+bool asks_what_is_visible(const PaintRule& rule) {
+  const auto* change = std::get_if<ChangeFaces>(&rule.action);
+  return (change != nullptr && std::holds_alternative<SelectVisible>(change->selection)) ||
+         (rule.within && std::holds_alternative<SelectVisible>(*rule.within));
+}
+
 Result<PaintRule> parse_paint_rule(std::string_view text) {
   const std::string_view rule_text = trimmed(text);
   if (rule_text.empty()) {
@@ -298,7 +304,34 @@ Result<PlannedPaint> plan_paint_rule(const ControlMesh& mesh, const PaintRule& r
   if (plan && rule.within) {
     std::erase_if(plan->edits, [&](const DepthEdit& edit) { return !is_within[edit.face]; });
   }
+  if (plan) {
+    plan->drops_demands = clears_all(rule);
+  }
   return plan;
+}
+
+Result<PlannedPaint> plan_paint_rules(const ControlMesh& mesh, std::span<const PaintRule> rules,
+                                      const PaintContext& context, const FaceDepths& depths) {
+  PlannedPaint all;
+  FaceDepths painted = depths;
+  PaintContext now = context;
+  for (const PaintRule& rule : rules) {
+    const Result<PlannedPaint> plan = plan_paint_rule(mesh, rule, now, painted);
+    if (!plan) {
+      return tl::unexpected(plan.error());
+    }
+    apply_edits(painted, plan->edits);
+    if (plan->drops_demands) {
+      all.drops_demands = true;
+      now.demands = nullptr;
+    }
+    if (plan->expected_error) {
+      all.expected_error = plan->expected_error;
+      all.short_faces = plan->short_faces;
+    }
+  }
+  all.edits = edits_between(depths, painted);
+  return all;
 }
 
 Result<void> apply_paint_rule(const ControlMesh& mesh, const PaintRule& rule,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -68,6 +69,9 @@ struct PaintRule {
 /// Whether nothing is painted after a rule, whatever was before.
 [[nodiscard]] bool clears_all(const PaintRule& rule);
 
+/// Whether a rule asks which faces are visible (`PaintContext::visible`).
+[[nodiscard]] bool asks_what_is_visible(const PaintRule& rule);
+
 /// Reads `all:+1`, `visible:+1`, `dihedral>30:+2`, `curvature>12deg:+1`, `faces=0,3-9:=4`,
 /// `painted:max3`, `flood=12:=3`, `smart=12,40:+1`, `connected=12:+1`; of the whole painting
 /// `grow`, `shrink`, `invert`, `smooth`, `clear` and `mirror=xz`; and choices of depths,
@@ -94,6 +98,7 @@ struct PlannedPaint {
   /// at the most, in mesh units, and how many of them kMaxDepth levels do not suffice for.
   std::optional<double> expected_error;
   std::size_t short_faces = 0;
+  bool drops_demands = false;  ///< What is painted on finer faces goes as well.
 };
 
 /// What the rule changes in a painting with one depth per face. Errors: those of `select_faces` and
@@ -102,7 +107,14 @@ struct PlannedPaint {
                                                    const PaintContext& context,
                                                    const FaceDepths& depths);
 
-/// Plans and paints. Errors: as above; `depths` is then left as it was.
+/// What rules do that are carried out in order. Of the limit surface, what the last one expects
+/// that aims at it. Errors: those of the first that fails.
+[[nodiscard]] Result<PlannedPaint> plan_paint_rules(const ControlMesh& mesh,
+                                                    std::span<const PaintRule> rules,
+                                                    const PaintContext& context,
+                                                    const FaceDepths& depths);
+
+/// Plans and paints. Errors: as for one rule; `depths` is then left as it was.
 [[nodiscard]] Result<void> apply_paint_rule(const ControlMesh& mesh, const PaintRule& rule,
                                             const PaintContext& context, FaceDepths& depths);
 

@@ -15,11 +15,16 @@ namespace limn {
 namespace {
 
 constexpr std::array<FaceMeasureInfo, 5> kMeasures{
-    {{FaceMeasure::kCurvature, "curvature", "Curvature", "deg", false},
-     {FaceMeasure::kDihedral, "dihedral", "Dihedral angle", "deg", false},
-     {FaceMeasure::kDistance, "distance", "Distance to the limit", "d", false},
-     {FaceMeasure::kEdge, "edge", "Longest side", "d", false},
-     {FaceMeasure::kScreen, "screen", "Size on the screen", "px", true}}};
+    {{FaceMeasure::kCurvature, "curvature", "Curvature", "deg", false,
+      "By how much the limit surface turns within the face."},
+     {FaceMeasure::kDihedral, "dihedral", "Dihedral angle", "deg", false,
+      "The greatest angle to a neighbour of the control mesh."},
+     {FaceMeasure::kDistance, "distance", "Distance to the limit", "d", false,
+      "From the unrefined face to the limit surface, in diagonals of the mesh."},
+     {FaceMeasure::kEdge, "edge", "Longest side", "d", false,
+      "Of the control mesh's face, in diagonals of the mesh."},
+     {FaceMeasure::kScreen, "screen", "Size on the screen", "px", true,
+      "The longest side as seen by the camera, in pixels; 0 where the face does not show."}}};
 
 template <class T>
 std::vector<double> to_doubles(const std::vector<T>& values, double factor = 1.0) {

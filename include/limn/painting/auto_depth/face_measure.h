@@ -28,6 +28,7 @@ struct FaceMeasureInfo {
   std::string_view title;  ///< For people: "Curvature".
   std::string_view unit;   ///< Behind numbers, in rules and for people: "deg", "d", "px".
   bool needs_view = false;
+  std::string_view meaning;  ///< A sentence.
 };
 
 /// All of them, in the order of the enumeration.
