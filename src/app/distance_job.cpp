@@ -1,51 +1,27 @@
-// One thread a question. What it has found is handed over at its end, all at once.
 #include "app/distance_job.h"
 
-#include <algorithm>
-#include <chrono>
-#include <new>
 #include <utility>
 
-#include "limn/progress.h"
-
 namespace limn::app {
+namespace {
 
-class DistanceJob::JobProgress final : public Progress {
- public:
-  JobProgress(DistanceJob& job, const std::stop_token& stop) : job_(job), stop_(stop) {}
+Result<std::shared_ptr<const LimitDistance>> measure(const DistanceJob::Question& question,
+                                                     Progress& progress) {
+  return measure_limit_distance(*question.control, labels_up_to(*question.labels, question.levels),
+                                question.settings, *question.mesh, progress)
+      .map([](LimitDistance distance) {
+        return std::make_shared<const LimitDistance>(std::move(distance));
+      });
+}
 
-  [[nodiscard]] bool report(double fraction, std::string_view) override {
-    constexpr auto kBetween = std::chrono::milliseconds(40);
-    if (const auto now = std::chrono::steady_clock::now(); now - woken_at_ >= kBetween) {
-      woken_at_ = now;
-      job_.fraction_ = fraction;
-      job_.wake_();
-    }
-    return !stop_.stop_requested();
-  }
-
- private:
-  DistanceJob& job_;
-  const std::stop_token& stop_;
-  std::chrono::steady_clock::time_point woken_at_ = std::chrono::steady_clock::now();
-};
+}  // namespace
 
 void DistanceJob::start(Question question) {
-  cancel();
   question_ = std::move(question);
   answer_ = {};
   ++revision_;
-  fraction_ = 0.0;
   is_answered_ = false;
-  is_busy_ = true;
-  worker_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
-}
-
-void DistanceJob::cancel() {
-  worker_.request_stop();
-  wait();
-  answers_.clear();
-  is_busy_ = false;
+  job_.start([asked = question_](Progress& progress) { return measure(asked, progress); });
 }
 
 void DistanceJob::give_up() {
@@ -54,20 +30,13 @@ void DistanceJob::give_up() {
   is_answered_ = true;
 }
 
-void DistanceJob::wait() {
-  if (worker_.joinable()) {
-    worker_.join();
-  }
-}
-
 bool DistanceJob::update() {
-  std::vector<Answer> answers = answers_.take();
-  if (answers.empty()) {
+  std::optional<Result<std::shared_ptr<const LimitDistance>>> answer = job_.take();
+  if (!answer) {
     return false;
   }
-  answer_ = std::move(answers.back());
+  answer_ = *answer ? Answer{**std::move(answer), {}} : Answer{nullptr, answer->error().message};
   ++revision_;
-  is_busy_ = false;
   is_answered_ = true;
   return true;
 }
@@ -77,9 +46,8 @@ ui::DistanceStatus DistanceJob::status(const Question& current) const {
   if (question_ != current) {
     return status;
   }
-  if (is_busy_) {
-    status.running = fraction_.load();
-  } else if (is_answered_) {
+  status.running = job_.running();
+  if (is_answered_) {
     status.problem = answer_.problem;
     if (const LimitDistance* distance = answer_.distance.get()) {
       status.figures =
@@ -88,28 +56,6 @@ ui::DistanceStatus DistanceJob::status(const Question& current) const {
     }
   }
   return status;
-}
-
-void DistanceJob::work(const std::stop_token& stop) {
-  JobProgress progress(*this, stop);
-  Answer answer;
-  try {
-    VertexLabels labels = question_.labels->legal.labels;
-    for (std::uint8_t& label : labels) {
-      label = static_cast<std::uint8_t>(std::min<int>(label, question_.levels));
-    }
-    Result<LimitDistance> measured = measure_limit_distance(
-        *question_.control, labels, question_.settings, *question_.mesh, progress);
-    if (measured) {
-      answer.distance = std::make_shared<const LimitDistance>(*std::move(measured));
-    } else if (measured.error().kind != ErrorKind::kCancelled) {
-      answer.problem = std::move(measured.error().message);
-    }
-  } catch (const std::bad_alloc&) {
-    answer = {nullptr, "There is not enough memory to measure this mesh."};
-  }
-  answers_.put(std::move(answer));
-  wake_();
 }
 
 }  // namespace limn::app

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
+#include <utility>
 
-#include "app/mailbox.h"
+#include "app/background_job.h"
 #include "limn/comparison/limit_distance.h"
 #include "limn/document/refinement.h"
 #include "ui/model.h"
@@ -21,11 +20,7 @@ class DistanceJob {
   /// `wake` is called from the worker whenever there is something new to look at.
   /// `arrivals` is that of its Mailbox, "distance".
   explicit DistanceJob(std::function<void()> wake, Arrivals* arrivals = nullptr)
-      : wake_(std::move(wake)), answers_("distance", arrivals) {}
-  /// Gives up what runs and waits for it to notice.
-  ~DistanceJob() { cancel(); }
-  DistanceJob(const DistanceJob&) = delete;
-  DistanceJob& operator=(const DistanceJob&) = delete;
+      : job_("distance", std::move(wake), arrivals) {}
 
   /// What is measured: a refinement of what is painted, to so many levels.
   struct Question {
@@ -39,18 +34,18 @@ class DistanceJob {
   };
   /// Gives up what runs and begins anew.
   void start(Question question);
-  void cancel();
+  void cancel() { job_.cancel(); }
   /// The same for good: the question counts as asked.
   void give_up();
-  void wait();
+  void wait() { job_.wait(); }
   /// Takes in what was found; true where there was anything.
   bool update();
 
   /// Whether an answer is on its way.
-  [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
+  [[nodiscard]] bool is_busy() const noexcept { return job_.is_busy(); }
   /// Whether this has been asked, whatever came of it.
   [[nodiscard]] bool has_been_asked(const Question& question) const {
-    return question_ == question && (is_busy_ || is_answered_);
+    return question_ == question && (is_busy() || is_answered_);
   }
   /// For the panels, where the question is still this one.
   [[nodiscard]] ui::DistanceStatus status(const Question& current) const;
@@ -62,23 +57,16 @@ class DistanceJob {
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
 
  private:
-  class JobProgress;
-  void work(const std::stop_token& stop);
-
   struct Answer {
     std::shared_ptr<const LimitDistance> distance;  ///< Null where it could not be measured.
     std::string problem;
   };
 
-  std::function<void()> wake_;
-  Mailbox<Answer> answers_;
+  BackgroundJob<std::shared_ptr<const LimitDistance>> job_;
   Question question_;
-  bool is_busy_ = false;
   bool is_answered_ = false;
   Answer answer_;  ///< The last one taken in.
   std::uint64_t revision_ = 0;
-  std::atomic<double> fraction_ = 0.0;
-  std::jthread worker_;
 };
 
 }  // namespace limn::app

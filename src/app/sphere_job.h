@@ -1,14 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
-#include "app/mailbox.h"
+#include "app/background_job.h"
 #include "limn/comparison/sphere_fit.h"
 #include "ui/model.h"
 
@@ -20,11 +18,7 @@ class SphereJob {
   /// `wake` is called from the worker whenever there is something new to look at.
   /// `arrivals` is that of its Mailbox, "sphere".
   explicit SphereJob(std::function<void()> wake, Arrivals* arrivals = nullptr)
-      : wake_(std::move(wake)), answers_("sphere", arrivals) {}
-  /// Gives up what runs and waits for it to notice.
-  ~SphereJob() { cancel(); }
-  SphereJob(const SphereJob&) = delete;
-  SphereJob& operator=(const SphereJob&) = delete;
+      : job_("sphere", std::move(wake), arrivals) {}
 
   /// What is compared; all of `schemes` take the mesh.
   struct Question {
@@ -36,32 +30,26 @@ class SphereJob {
   };
   /// Gives up what runs and begins anew.
   void start(Question question);
-  void cancel();
-  void wait();
+  void cancel() { job_.cancel(); }
+  void wait() { job_.wait(); }
   /// Takes in what was found; true where there was anything.
   bool update();
 
   /// Whether an answer is on its way.
-  [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
+  [[nodiscard]] bool is_busy() const noexcept { return job_.is_busy(); }
   /// For the panels, where the question is still this one. Spans live until the next `start`.
   [[nodiscard]] ui::SphereStatus status(const Question& current) const;
 
  private:
-  class JobProgress;
-  void work(const std::stop_token& stop);
-
   struct Answer {
     std::vector<ui::SphereSeries> series;
-    std::string problem;
+    std::string problem;  ///< Of what is missing among them.
   };
+  [[nodiscard]] static Result<Answer> compare(const Question& question, Progress& progress);
 
-  std::function<void()> wake_;
-  Mailbox<Answer> answers_;
+  BackgroundJob<Answer> job_;
   Question question_;
-  bool is_busy_ = false;
   Answer answer_;  ///< The last one taken in.
-  std::atomic<double> fraction_ = 0.0;
-  std::jthread worker_;
 };
 
 }  // namespace limn::app
