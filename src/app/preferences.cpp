@@ -83,6 +83,44 @@ void read_brush(const Reader& root, ui::BrushSettings& brush) {
   settings.read("mirror_z", brush.mirror.z);
 }
 
+/// Rules that cannot be read, of a newer version perhaps, leave the default.
+void read_auto_depth(const Reader& settings, ui::AutoDepthSettings& auto_depth) {
+  std::string text;
+  settings.read("rules", text);
+  if (auto rules = parse_paint_rules(text, "preferences"); rules && !rules->empty()) {
+    auto_depth.rules = *std::move(rules);
+    if (const ChooseDepths* choose = auto_depth.choice()) {
+      auto_depth.choices.at(choose->choice.index()) = choose->choice;
+    }
+  }
+  settings.read("moves_to_limit", auto_depth.moves_to_limit);
+}
+
+std::vector<RulePreset> read_presets(const Json& root) {
+  std::vector<RulePreset> presets;
+  const auto found = root.find("presets");
+  for (const Json& json : found != root.end() ? *found : Json::array()) {
+    const Reader entry(json);
+    RulePreset& preset = presets.emplace_back();
+    entry.read("name", preset.name);
+    entry.read("description", preset.description);
+    entry.read("rules", preset.rules);
+    if (!check_preset_name(preset.name)) {
+      presets.pop_back();
+    }
+  }
+  return presets;
+}
+
+Json presets_json(const std::vector<RulePreset>& presets) {
+  Json list = Json::array();
+  for (const RulePreset& preset : presets) {
+    list.push_back(
+        {{"name", preset.name}, {"description", preset.description}, {"rules", preset.rules}});
+  }
+  return list;
+}
+
 Preferences from_json(const Json& json) {
   Preferences preferences;
   const Reader root(json);
@@ -112,6 +150,8 @@ Preferences from_json(const Json& json) {
   read_brush(root, preferences.brush);
   root.read("dihedral_threshold", preferences.dihedral_threshold, 0.0, 180.0);
   root.read("crease_sharpness", preferences.crease_sharpness, 0.0, 10.0);
+  read_auto_depth(root.child("auto_depth"), preferences.auto_depth);
+  preferences.presets = read_presets(json);
   root.read("desktop_dialogs", preferences.uses_desktop_dialogs);
   root.read("hints", preferences.shows_hints);
   root.read("face_budget", preferences.face_budget);
@@ -120,6 +160,7 @@ Preferences from_json(const Json& json) {
   const Reader panel = root.child("panel");
   panel.read("width", preferences.layout.panel_width, 200.0, 1000.0);
   panel.read("paint_open", preferences.layout.paint_open);
+  panel.read("auto_depth_open", preferences.layout.auto_depth_open);
   panel.read("subdivide_open", preferences.layout.subdivide_open);
   panel.read("steps_open", preferences.layout.steps_open);
   panel.read("schemes_open", preferences.layout.schemes_open);
@@ -166,12 +207,17 @@ Json to_json(const Preferences& preferences) {
         {"mirror_z", preferences.brush.mirror.z}}},
       {"dihedral_threshold", preferences.dihedral_threshold},
       {"crease_sharpness", preferences.crease_sharpness},
+      {"auto_depth",
+       {{"rules", ui::text_of(preferences.auto_depth.rules)},
+        {"moves_to_limit", preferences.auto_depth.moves_to_limit}}},
+      {"presets", presets_json(preferences.presets)},
       {"desktop_dialogs", preferences.uses_desktop_dialogs},
       {"hints", preferences.shows_hints},
       {"face_budget", preferences.face_budget},
       {"panel",
        {{"width", layout.panel_width},
         {"paint_open", layout.paint_open},
+        {"auto_depth_open", layout.auto_depth_open},
         {"subdivide_open", layout.subdivide_open},
         {"steps_open", layout.steps_open},
         {"schemes_open", layout.schemes_open},

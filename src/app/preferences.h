@@ -23,6 +23,8 @@ struct Preferences {
   ui::BrushSettings brush;  ///< All but the tool.
   double dihedral_threshold = 30.0;
   double crease_sharpness = 2.0;
+  ui::AutoDepthSettings auto_depth;  ///< Never live at a start.
+  std::vector<RulePreset> presets;   ///< The person's own.
   bool uses_desktop_dialogs = true;  ///< Where there are any.
   bool shows_hints = false;          ///< True at the very first start.
   std::uint64_t face_budget = LiveRefinement::kDefaultBudget;

@@ -25,6 +25,7 @@ Session::Session(SessionHost host)
       second_(host_.wake, "second", host_.arrivals),
       sphere_(host_.wake, host_.arrivals),
       distance_(host_.wake, host_.arrivals),
+      auto_depth_(host_.wake, host_.arrivals),
       exports_(host_.wake, files_, host_.arrivals),
       forecast_(host_.wake, host_.arrivals),
       autosave_(host_.recovery_folder, host_.wake) {
@@ -49,14 +50,15 @@ void Session::perform(const ui::Action& action) {
 }
 
 void Session::carry_out(const ui::Action& action) {
-  const bool is_known = perform_answer(action) || perform_recovery(action) ||
-                        perform_program(action) || perform_file(action) || perform_edit(action) ||
-                        perform_rule(action) || perform_creases(action) || perform_brush(action) ||
-                        perform_subdivision(action) || perform_steps(action) ||
-                        perform_scheme(action) || perform_scheme_choice(action) ||
-                        perform_edge(action) || perform_display(action) || perform_camera(action) ||
-                        perform_navigation(action) || perform_report(action) ||
-                        perform_flaw(action) || perform_measurement(action);
+  const bool is_known =
+      perform_answer(action) || perform_recovery(action) || perform_program(action) ||
+      perform_file(action) || perform_edit(action) || perform_rule(action) ||
+      perform_auto_depth(action) || perform_depth_choice(action) || perform_preset(action) ||
+      perform_creases(action) || perform_brush(action) || perform_subdivision(action) ||
+      perform_steps(action) || perform_scheme(action) || perform_scheme_choice(action) ||
+      perform_edge(action) || perform_display(action) || perform_camera(action) ||
+      perform_navigation(action) || perform_report(action) || perform_flaw(action) ||
+      perform_measurement(action);
   LIMN_EXPECTS(is_known);
   update_facts();
 }
@@ -70,6 +72,11 @@ bool Session::update(double now) {
   has_news |= sphere_.update();
   has_news |= distance_.update();
   has_news |= forecast_.update();
+  has_news |= auto_depth_.update();
+  if (follow_auto_depth()) {
+    refinement_.follow(document_, wish());
+    has_news = true;
+  }
   if (has_news) {
     update_facts();
   }
@@ -123,7 +130,9 @@ void Session::finish_refinement() {
     follow_second();
     second_.wait_until_idle();
     distance_.wait();
-  } while (update(now_) && (refinement_.is_busy() || second_.is_busy() || distance_.is_busy()));
+    auto_depth_.wait();
+  } while (update(now_) && (refinement_.is_busy() || second_.is_busy() || distance_.is_busy() ||
+                            auto_depth_.is_busy()));
   exports_.wait_until_idle();
   report_export();
   finish_forecast();
@@ -131,6 +140,8 @@ void Session::finish_refinement() {
 
 void Session::show(Project project) {
   stroke_.reset();
+  auto_depth_.stop_choosing();
+  wants_depths_ = false;
   mend_focus_.reset();
   autosave_.clear();
   document_ = std::move(project.document);
@@ -269,6 +280,12 @@ void Session::cancel() {
     modal_ = std::monostate{};
   } else if (is_stroking()) {
     give_up_stroke();
+  } else if (auto_depth_.is_choosing()) {
+    auto_depth_.stop_choosing();
+    toast(Kind::kNote, "Choosing depths was stopped. The painting is as it was.");
+  } else if (auto_depth_.is_comparing()) {
+    auto_depth_.stop_comparing();
+    toast(Kind::kNote, "The comparison was stopped.");
   } else if (sphere_.is_busy()) {
     sphere_.cancel();
     toast(Kind::kNote, "The comparison was stopped.");
@@ -362,6 +379,7 @@ ui::Model Session::model() const {
       .second = second_status(),
       .sphere = sphere_.status(sphere_question()),
       .distance = distance_status(),
+      .auto_depth = auto_depth_status(),
       .history = {history_.undo_name(), history_.redo_name(), history_.bytes(), &history_},
       .hover = hover,
       .hover_edge = hover_edge,

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/auto_depth/auto_depth.h"
 #include "app/autosave.h"
 #include "app/camera_motion.h"
 #include "app/desktop_dialog.h"
@@ -44,8 +45,8 @@ struct SessionHost {
   /// Answers "visible" for the camera in force. Empty without a screen: those actions then fail
   /// with a toast.
   VisibleFaces visible_faces;
-  /// The camera in force, and those of files. Empty without a screen, likewise.
-  ScreenViews views{};
+  /// What a camera of the document sees, as large as the viewport is. Empty without a screen.
+  std::function<ScreenView(const ViewState&)> screen_view{};
   /// Where copies of unsaved work are kept (recovery_store.h). Empty: nowhere.
   std::filesystem::path recovery_folder{};
   /// What is read and written; must outlive the session. Null: the disk.
@@ -111,6 +112,8 @@ class Session {
   /// How far the faces of the refined mesh shown are from its limit surface; its `distance` is null
   /// where that is not known.
   [[nodiscard]] const DistanceJob& distance() const noexcept { return distance_; }
+  /// What depths are chosen by.
+  [[nodiscard]] const AutoDepth& auto_depth() const noexcept { return auto_depth_; }
   [[nodiscard]] const LegalisationStepper& steps() const noexcept { return steps_; }
   [[nodiscard]] const ui::DisplaySettings& display() const noexcept { return display_; }
   [[nodiscard]] const ui::BrushSettings& brush() const noexcept { return brush_; }
@@ -129,7 +132,7 @@ class Session {
   /// Whether anything is being worked out on another thread.
   [[nodiscard]] bool is_busy() const {
     return refinement_.is_busy() || second_.is_busy() || sphere_.is_busy() || distance_.is_busy() ||
-           exports_.is_busy();
+           exports_.is_busy() || auto_depth_.is_busy();
   }
   /// Blocks until the refined mesh is up to date, and the file that is exported written. For tests
   /// and for work without a window.
@@ -141,6 +144,7 @@ class Session {
   void set_navigation(const ui::NavigationSettings& navigation) { navigation_ = navigation; }
   void set_crease_sharpness(double sharpness) noexcept { crease_sharpness_ = sharpness; }
   void set_uses_desktop_dialogs(bool uses) noexcept { uses_desktop_dialogs_ = uses; }
+  void restore(ui::AutoDepthSettings settings, std::vector<RulePreset> presets);
   [[nodiscard]] bool uses_desktop_dialogs() const noexcept { return uses_desktop_dialogs_; }
   void show_hints(bool shows) { hints_ = shows ? std::optional(ui::HintCard{}) : std::nullopt; }
   [[nodiscard]] bool shows_hints() const noexcept { return hints_.has_value(); }
@@ -194,9 +198,12 @@ class Session {
   bool perform_edit(const ui::Action& action);
   bool perform_program(const ui::Action& action);
   bool perform_answer(const ui::Action& action);
-  bool perform_recovery(const ui::Action& action);  // session_recovery.cpp, as what follows it
-  bool perform_file(const ui::Action& action);      // session_files.cpp, as what follows it
-  bool perform_rule(const ui::Action& action);      // session_painting.cpp
+  bool perform_recovery(const ui::Action& action);    // session_recovery.cpp, as what follows it
+  bool perform_file(const ui::Action& action);        // session_files.cpp, as what follows it
+  bool perform_rule(const ui::Action& action);        // session_painting.cpp
+  bool perform_auto_depth(const ui::Action& action);  // session_auto_depth.cpp
+  bool perform_depth_choice(const ui::Action& action);
+  bool perform_preset(const ui::Action& action);
   bool perform_creases(const ui::Action& action);
   bool perform_subdivision(const ui::Action& action);
   bool perform_brush(const ui::Action& action);  // session_tools.cpp, as what follows it
@@ -248,6 +255,20 @@ class Session {
   [[nodiscard]] std::string suggested_name(ui::PathPrompt::Purpose purpose) const;
 
   void paint(const PaintRule& rule, const std::string& what);
+  /// Begins to choose depths: one step, in place of the last where that was live and still is what
+  /// is painted.
+  void choose_depths();
+  void paint_chosen(PlannedPaint plan);
+  void set_depth_rule(ChooseDepths choose);
+  void set_depth_within(const std::string& selection);
+  /// The panel has been changed: the painting follows where it is live.
+  void auto_depth_changed() { wants_depths_ = wants_depths_ || auto_depth_.settings().is_live; }
+  bool follow_auto_depth();
+  [[nodiscard]] bool replaces_chosen() const noexcept;
+  [[nodiscard]] bool shows_chosen() const noexcept;
+  [[nodiscard]] std::map<std::string, ScreenView> screen_views() const;
+  [[nodiscard]] std::optional<AutoDepth::Measured> measured_faces() const;
+  [[nodiscard]] ui::AutoDepthStatus auto_depth_status() const;
   void crease(const CreaseRule& rule, std::string_view nothing);
   void set_stage(Stage stage, std::string name);
   void change_settings(const SubdivisionSettings& settings);
@@ -289,6 +310,7 @@ class Session {
   LiveRefinement second_;
   SphereJob sphere_;
   DistanceJob distance_;
+  AutoDepth auto_depth_;
   ExportJob exports_;
   ForecastJob forecast_;
   bool was_busy_ = false;  ///< At the last update.
@@ -315,6 +337,16 @@ class Session {
   std::optional<ui::MendFocus> mend_focus_;
   std::optional<ui::FlawFocus> flaw_focus_;
   std::shared_ptr<const ControlMesh> known_control_;  ///< At the last `update_facts`.
+  /// Depths that were chosen last.
+  struct Chosen {
+    Revisions revisions;          ///< Of the document they were painted on, afterwards.
+    std::size_t position = 0;     ///< Of the history, afterwards.
+    bool is_replaceable = false;  ///< A live choice that made a step of its own.
+    FaceDepths before;
+    ui::AutoDepthOutcome outcome;
+  };
+  std::optional<Chosen> chosen_;
+  bool wants_depths_ = false;  ///< As soon as nothing stands in the way.
   std::optional<Stroke> stroke_;
   std::string stroke_name_;
   MeshAids aids_;

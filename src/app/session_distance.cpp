@@ -41,9 +41,12 @@ ui::DistanceStatus Session::distance_status() const {
   return status;
 }
 
-/// While one paints there is no end to it: a stroke's last refined mesh is measured.
+/// Measured are the faces that it colours, and what was chosen for a distance. While one paints
+/// there is no end to it: a stroke's last refined mesh is measured.
 void Session::follow_distance() {
-  if (display_.tint != ui::Tint::kDistance || is_stroking() || refinement_.is_busy()) {
+  const bool is_wanted =
+      display_.tint == ui::Tint::kDistance || (shows_chosen() && chosen_->outcome.expected_error);
+  if (!is_wanted || is_stroking() || refinement_.is_busy() || auto_depth_.is_choosing()) {
     return;
   }
   auto question = distance_question();

@@ -75,8 +75,8 @@ bool Session::perform_rule(const ui::Action& action) {
 
 void Session::paint(const PaintRule& rule, const std::string& what) {
   end_stroke();
-  const PaintContext context{document_.settings, host_.visible_faces, host_.views,
-                             &document_.demands, nullptr};
+  const PaintContext context{
+      document_.settings, host_.visible_faces, {}, &document_.demands, nullptr};
   auto plan = plan_paint_rule(*document_.control, rule, context, document_.depths);
   if (!plan) {
     toast(Kind::kProblem, plan.error().message);
@@ -84,7 +84,7 @@ void Session::paint(const PaintRule& rule, const std::string& what) {
   }
   // Nothing is painted after that, on finer faces neither.
   DemandEdits demands;
-  if (clears_all(rule)) {
+  if (plan->drops_demands) {
     demands = FineDemands().edits_from(document_.demands);
   }
   if (plan->edits.empty() && demands.empty()) {
@@ -94,8 +94,8 @@ void Session::paint(const PaintRule& rule, const std::string& what) {
   const std::size_t faces = plan->edits.size();
   const std::size_t finer = demands.removed.size();
   const std::string count = face_count(faces);
-  execute(
-      paint_command(std::move(plan->edits), fmt::format("{} ({})", what, count), std::move(demands)));
+  execute(paint_command(std::move(plan->edits), fmt::format("{} ({})", what, count),
+                        std::move(demands)));
   std::string text = fmt::format("{}: {} changed.", capitalised(what), ui::counted(faces, "face"));
   if (finer > 0) {
     text += fmt::format(" {} on finer faces gone.", ui::counted(finer, "demand"));

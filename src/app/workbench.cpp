@@ -43,6 +43,11 @@ Workbench::Workbench(WorkbenchHost host, const Preferences& preferences, Project
                   sync_scene();
                   return scene_->visible_faces(session_, place_.size);
                 },
+                .screen_view =
+                    [this](const ViewState& view) {
+                      return render::screen_view(render::make_camera(
+                          view, session_.document().control->bounds(), place_.size));
+                    },
                 .recovery_folder = std::move(host.recovery_folder),
                 .files = host.files,
                 .ask_desktop = std::move(host.ask_desktop),
@@ -59,6 +64,7 @@ Workbench::Workbench(WorkbenchHost host, const Preferences& preferences, Project
   session_.show_hints(preferences.shows_hints);
   session_.set_recent_files(preferences.recent_files);
   session_.set_face_budget(preferences.face_budget);
+  session_.restore(preferences.auto_depth, preferences.presets);
   session_.show(std::move(project));
 }
 
@@ -224,6 +230,9 @@ Preferences Workbench::preferences() const {
   all.uses_desktop_dialogs = session_.uses_desktop_dialogs();
   all.shows_hints = session_.shows_hints();
   all.face_budget = session_.refinement().face_budget();
+  all.auto_depth = session_.auto_depth().settings();
+  all.auto_depth.is_live = false;
+  all.presets = session_.auto_depth().presets();
   all.layout = gui_.layout();
   all.recent_files = session_.recent_files();
   return all;

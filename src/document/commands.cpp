@@ -10,22 +10,34 @@
 namespace limn {
 namespace {
 
+/// Swaps settings where they differ.
+void swap_settings(Document& document, SubdivisionSettings& other) {
+  if (other != document.settings) {
+    std::swap(document.settings, other);
+    ++document.revisions.stage;
+  }
+}
+
 class PaintCommand final : public Command {
  public:
-  PaintCommand(std::vector<DepthEdit> edits, std::string name, DemandEdits demands)
-      : edits_(std::move(edits)), demands_(std::move(demands)), name_(std::move(name)) {
+  PaintCommand(std::vector<DepthEdit> edits, std::string name, DemandEdits demands,
+               std::optional<SubdivisionSettings> settings)
+      : edits_(std::move(edits)),
+        demands_(std::move(demands)),
+        other_settings_(settings),
+        name_(std::move(name)) {
     edits_.shrink_to_fit();
   }
 
   void apply(Document& document) override {
     apply_edits(document.depths, edits_);
     document.demands.apply(demands_);
-    count_up(document);
+    finish(document);
   }
   void revert(Document& document) override {
     revert_edits(document.depths, edits_);
     document.demands.revert(demands_);
-    count_up(document);
+    finish(document);
   }
   [[nodiscard]] std::size_t bytes() const noexcept override {
     return sizeof(*this) + edits_.capacity() * sizeof(DepthEdit) + name_.capacity() +
@@ -34,14 +46,18 @@ class PaintCommand final : public Command {
   [[nodiscard]] std::string name() const override { return name_; }
 
  private:
-  void count_up(Document& document) const {
+  void finish(Document& document) {
     if (!edits_.empty() || !demands_.empty()) {
       ++document.revisions.depths;
+    }
+    if (other_settings_) {
+      swap_settings(document, *other_settings_);
     }
   }
 
   std::vector<DepthEdit> edits_;
   DemandEdits demands_;
+  std::optional<SubdivisionSettings> other_settings_;
   std::string name_;
 };
 
@@ -72,19 +88,12 @@ class SettingsCommand final : public Command {
  public:
   explicit SettingsCommand(SubdivisionSettings settings) : other_(settings) {}
 
-  void apply(Document& document) override { swap_with(document); }
-  void revert(Document& document) override { swap_with(document); }
+  void apply(Document& document) override { swap_settings(document, other_); }
+  void revert(Document& document) override { swap_settings(document, other_); }
   [[nodiscard]] std::size_t bytes() const noexcept override { return sizeof(*this); }
   [[nodiscard]] std::string name() const override { return "change subdivision settings"; }
 
  private:
-  void swap_with(Document& document) {
-    if (other_ != document.settings) {
-      std::swap(document.settings, other_);
-      ++document.revisions.stage;
-    }
-  }
-
   SubdivisionSettings other_;
 };
 
@@ -117,8 +126,10 @@ class SchemeCommand final : public Command {
 }  // namespace
 
 std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits, std::string name,
-                                       DemandEdits demands) {
-  return std::make_unique<PaintCommand>(std::move(edits), std::move(name), std::move(demands));
+                                       DemandEdits demands,
+                                       std::optional<SubdivisionSettings> settings) {
+  return std::make_unique<PaintCommand>(std::move(edits), std::move(name), std::move(demands),
+                                        settings);
 }
 
 std::unique_ptr<Command> stage_command(Stage stage, std::string name) {

@@ -74,6 +74,50 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "of "
      "itself and its mirror images."},
 
+    {kChooseDepths, kPaint, kNothing, "Choose depths",
+     "Give every face the depth that the Auto depth panel asks for. One step to undo."},
+    {kSetDepthSource, kPaint, ValueKind::kInt, "Depths by",
+     "What depths are chosen by: a distance to the limit surface, a number of faces, a size on the "
+     "screen, or a curve over what a face measures."},
+    {kSetDepthRules, kPaint, ValueKind::kText, "Depth rule",
+     "What choosing depths goes by, as on the command line."},
+    {kSetDepthUnit, kPaint, ValueKind::kInt, "Counted in",
+     "What the amount is counted in: parts of the mesh's diagonal, its units or pixels; faces or "
+     "triangles; the length of edges or the area of faces."},
+    {kSetBudgetGoal, kPaint, ValueKind::kInt, "Spend it on",
+     "The least mean error over all of the surface, the least greatest error, or nothing: faces at "
+     "random, to compare with."},
+    {kSetSilhouettes, kPaint, ValueKind::kInt, "Silhouettes",
+     "How many levels more faces get where the surface turns away from the eye, where facets show "
+     "first."},
+    {kSetCurveMeasure, kPaint, ValueKind::kInt, "Curve over",
+     "What the curve tells faces apart by."},
+    {kSetDepthMerge, kPaint, ValueKind::kInt, "Chosen depths",
+     "How they go together with what is painted."},
+    {kSetDepthWithin, kPaint, ValueKind::kText, "Where",
+     "Faces that may change; all others keep their depth."},
+    {kSetDepthAmount, kPaint, ValueKind::kDouble, "Depth amount",
+     "How far from the limit surface, how many faces, or how large on the screen, at the most. "
+     "Ctrl and a click to type it."},
+    {kToggleLiveDepths, kPaint, ValueKind::kToggle, "Live",
+     "Depths are chosen anew whenever something is changed here. It stays one step to undo."},
+    {kToggleLimitDepths, kPaint, ValueKind::kToggle, "On the limit",
+     "Tolerances and budgets also move the vertices onto the limit surface, which takes fewer "
+     "faces."},
+    {kKeepView, kPaint, kNothing, "Keep this view",
+     "Sizes on the screen are held as seen from here, wherever you look from later. Several views "
+     "can be kept; what none of them sees stays coarse."},
+    {kForgetViews, kPaint, kNothing, "Forget views", "Only the view in force counts again."},
+    {kUsePreset, kPaint, ValueKind::kText, "Preset",
+     "Rules under a name, those of Limn and your own."},
+    {kSavePreset, kPaint, ValueKind::kText, "Save as preset",
+     "Keep what is set here under this name, for other meshes and for the command line."},
+    {kDeletePreset, kPaint, ValueKind::kText, "Delete preset",
+     "Forget the preset of this name, one of your own."},
+    {kCompareBudget, kPaint, kNothing, "Compare",
+     "Measure what the finest uniform mesh within the budget, and faces painted at random, would "
+     "leave of the distance to the limit surface."},
+
     {kToolPaint, kPaint, kNothing, "Paint tool",
      "Left drag paints the faces under the ring. Shift or Ctrl lowers them instead."},
     {kToolLower, kPaint, kNothing, "Lower tool",

@@ -24,6 +24,51 @@ bool stands(bool is_on, const Action& action) {
   return value != nullptr ? is_on == *value : is_on;
 }
 
+/// Whether a rule wants to know distances to the limit surface, which is Catmull-Clark's.
+bool asks_for_errors(const AutoDepthSettings& settings) {
+  return std::ranges::any_of(settings.rules,
+                             [](const PaintRule& rule) { return aims_at_limit(rule); });
+}
+
+/// Whether what is set is what the preset that the action names says.
+bool stands_for(const AutoDepthStatus& status, const Action& action) {
+  const auto* name = std::get_if<std::string>(&action.value);
+  if (name == nullptr) {
+    return false;
+  }
+  const Result<std::vector<PaintRule>> rules = rules_of_preset(status.own_presets, *name);
+  return rules && *rules == status.settings.rules;
+}
+
+/// The value of the action that would change nothing; -1 where there is none.
+int standing(const AutoDepthSettings& settings, ActionId id) {
+  const ChooseDepths* choose = settings.choice();
+  if (choose == nullptr) {
+    return -1;
+  }
+  if (id == ActionId::kSetDepthMerge) {
+    return static_cast<int>(choose->merge);
+  }
+  if (id == ActionId::kSetDepthUnit) {
+    return unit_of(choose->choice).value_or(-1);
+  }
+  if (const auto* budget = std::get_if<FaceBudget>(&choose->choice)) {
+    return id == ActionId::kSetBudgetGoal ? static_cast<int>(budget->goal) : -1;
+  }
+  if (const auto* screen = std::get_if<ChooseByScreen>(&choose->choice)) {
+    return id == ActionId::kSetSilhouettes ? screen->size.silhouettes : -1;
+  }
+  const auto* curve = std::get_if<ChooseByCurve>(&choose->choice);
+  return curve != nullptr && id == ActionId::kSetCurveMeasure ? static_cast<int>(curve->measure)
+                                                              : -1;
+}
+
+/// Whether what is set depends on views.
+bool is_seen(const AutoDepthSettings& settings) {
+  const ChooseDepths* choose = settings.choice();
+  return choose != nullptr && views_of(choose->choice) != nullptr;
+}
+
 }  // namespace
 
 std::size_t count_of(const Model& model, FlawKind kind) {
@@ -63,6 +108,24 @@ bool is_available(const Model& model, const Action& action) {
       return is_painted;
     case ActionId::kMirrorPainting:
       return is_painted && model.brush.mirror.any();
+    case ActionId::kChooseDepths:
+      return document.settings.scheme == RefinementScheme::kCatmullClark ||
+             !asks_for_errors(model.auto_depth.settings);
+    case ActionId::kKeepView:
+      return is_seen(model.auto_depth.settings);
+    case ActionId::kForgetViews:
+      return model.auto_depth.kept_views > 0;
+    case ActionId::kCompareBudget:
+      return model.auto_depth.outcome && model.auto_depth.outcome->budget &&
+             !model.auto_depth.baselines.running;
+    case ActionId::kSavePreset: {
+      const auto* name = std::get_if<std::string>(&action.value);
+      return name != nullptr && check_preset_name(*name);
+    }
+    case ActionId::kDeletePreset:
+      return std::ranges::any_of(model.auto_depth.own_presets, [&](const RulePreset& preset) {
+        return action.value == ActionValue(preset.name);
+      });
     case ActionId::kBackToControl:
       return document.stage != Stage{};
     case ActionId::kRemoveIllegal:
@@ -190,6 +253,26 @@ bool is_checked(const Model& model, const Action& action) {
       return model.brush.sets_depth;
     case ActionId::kSetTargetDepth:
       return action.value == ActionValue(model.brush.target_depth);
+    case ActionId::kSetDepthSource: {
+      const std::optional<DepthSource> source = model.auto_depth.settings.source();
+      return source && action.value == ActionValue(static_cast<int>(*source));
+    }
+    case ActionId::kSetDepthRules:
+      return action.value == ActionValue(text_of(model.auto_depth.settings.rules));
+    case ActionId::kSetDepthUnit:
+    case ActionId::kSetBudgetGoal:
+    case ActionId::kSetSilhouettes:
+    case ActionId::kSetCurveMeasure:
+    case ActionId::kSetDepthMerge:
+      return action.value == ActionValue(standing(model.auto_depth.settings, action.id));
+    case ActionId::kSetDepthWithin:
+      return action.value == ActionValue(within_text(model.auto_depth.settings));
+    case ActionId::kUsePreset:
+      return stands_for(model.auto_depth, action);
+    case ActionId::kToggleLiveDepths:
+      return stands(model.auto_depth.settings.is_live, action);
+    case ActionId::kToggleLimitDepths:
+      return stands(model.auto_depth.settings.moves_to_limit, action);
     case ActionId::kAdaptiveCatmullClark:
       return settings.scheme == RefinementScheme::kCatmullClark;
     case ActionId::kAdaptiveLoop:

@@ -44,7 +44,7 @@ void action_combo(PanelContext& context, ActionId what, std::span<const ComboEnt
   if (ImGui::InvisibleButton("##field", {width, context.px(kHeight)})) {
     ImGui::OpenPopup("##entries");
   }
-  draw_field(context, chosen != entries.end() ? std::string_view(chosen->label) : "");
+  draw_field(context, chosen != entries.end() ? std::string_view(chosen->label) : "…");
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   explain(context, what);

@@ -45,6 +45,7 @@ struct Scale {
 struct PanelLayout {
   double panel_width = 320.0;  ///< Design units.
   bool paint_open = true;
+  bool auto_depth_open = false;
   bool subdivide_open = true;
   bool steps_open = false;
   bool schemes_open = false;

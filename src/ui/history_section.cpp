@@ -12,7 +12,7 @@
 namespace limn::ui {
 namespace {
 
-constexpr int kLines = 9;
+constexpr int kListedSteps = 9;
 
 /// "Paint 3 faces"
 std::string capitalised(std::string text) {
@@ -72,7 +72,7 @@ void draw_history_section(PanelContext& context) {
   const float height = context.px(24);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-  ImGui::BeginChild("##steps", {room(), height * kLines});
+  ImGui::BeginChild("##steps", {room(), height * kListedSteps});
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(history->size()) + 1, height);
   while (clipper.Step()) {
@@ -90,8 +90,8 @@ void draw_history_section(PanelContext& context) {
     context.state.shown_step = history->position();
     const float line = static_cast<float>(history->position()) * height;
     const float top = ImGui::GetScrollY();
-    if (line < top || line + height > top + height * kLines) {
-      ImGui::SetScrollY(line - height * (kLines / 2));
+    if (line < top || line + height > top + height * kListedSteps) {
+      ImGui::SetScrollY(line - height * (kListedSteps / 2));
     }
   }
   ImGui::EndChild();

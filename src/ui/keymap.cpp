@@ -129,6 +129,7 @@ std::vector<Binding> shared_bindings() {
       {{Key::kS, kShift}, kSmoothPainting},
       {{Key::kI, kCtrl}, kInvertPainting},
       {{Key::kM, kCtrl}, kMirrorPainting},
+      {{Key::kD, kCtrl}, kChooseDepths},
 
       {{Key::kC, kShift}, kBackToControl},
       {{Key::kL, kShift}, kToggleLive},

@@ -73,6 +73,16 @@ void edit_menu(PanelContext& context) {
           {kGrowPainting, kShrinkPainting, kSmoothPainting, kInvertPainting, kMirrorPainting});
     ImGui::EndMenu();
   }
+  items(context, {kChooseDepths});
+  if (begin_menu(context, "Depth preset")) {
+    for (const std::span<const RulePreset> presets :
+         {bundled_presets(), context.model.auto_depth.own_presets}) {
+      for (const RulePreset& preset : presets) {
+        action_menu_item(context, Action(kUsePreset, preset.name), preset.name);
+      }
+    }
+    ImGui::EndMenu();
+  }
   items(context, {kCreaseDihedral, kClearCreases});
   ImGui::Separator();
   if (begin_menu(context, "Tool")) {

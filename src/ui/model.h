@@ -21,6 +21,7 @@
 #include "limn/painting/valence_palette.h"
 #include "limn/subdivision/legalisation_trace.h"
 #include "limn/subdivision/settings.h"
+#include "ui/auto_depth_model.h"
 #include "ui/navigation_settings.h"
 #include "ui/window_geometry.h"
 
@@ -417,6 +418,7 @@ struct Model {
   SecondStatus second{};
   SphereStatus sphere{};
   DistanceStatus distance{};
+  AutoDepthStatus auto_depth{};
   HistoryStatus history{};
   std::optional<HoverInfo> hover{};
   std::optional<EdgeHover> hover_edge{};

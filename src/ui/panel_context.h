@@ -31,6 +31,7 @@ struct UiState {
     bool wants_focus = false;
   } path_prompt;
 
+  std::string preset_name;     ///< As typed.
   std::size_t shown_step = 0;  ///< Position of the history that its list was last scrolled to.
 
   double hover_seconds = 0.0;  ///< How long the cursor has rested on the same control.

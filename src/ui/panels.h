@@ -38,6 +38,7 @@ void close_popups();
 
 /// Sections of the side panel.
 void draw_paint_section(PanelContext& context);
+void draw_auto_depth_section(PanelContext& context);
 void draw_subdivide_section(PanelContext& context);
 void draw_steps_section(PanelContext& context);
 void draw_schemes_section(PanelContext& context);
@@ -45,6 +46,10 @@ void draw_display_section(PanelContext& context);
 void draw_numbers_section(PanelContext& context);
 void draw_history_section(PanelContext& context);
 void draw_report_section(PanelContext& context);
+
+/// How many faces measure how much, and the curve that gives them their depths, whose points can be
+/// dragged.
+void draw_depth_curve(PanelContext& context, const ChooseByCurve& choice);
 
 /// Errors against levels, one line a series, in a box of the width there is.
 void draw_sphere_plot(PanelContext& context);

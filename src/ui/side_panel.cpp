@@ -69,6 +69,7 @@ void draw_side_panel(PanelContext& context, const WindowRect& place) {
             draw_report_section);
   }
   section("PAINT", layout.paint_open, draw_paint_section);
+  section("AUTO DEPTH", layout.auto_depth_open, draw_auto_depth_section);
   section("SUBDIVIDE", layout.subdivide_open, draw_subdivide_section);
   section("STEP BY STEP", layout.steps_open, draw_steps_section);
   section("SCHEMES", layout.schemes_open, draw_schemes_section);

@@ -21,6 +21,15 @@ float slider_part(const SliderLook& look, double value) {
   return static_cast<float>(std::clamp(part, 0.0, 1.0));
 }
 
+double rounded_to(double value, int digits) {
+  if (value == 0.0) {
+    return value;
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1.0 - digits);
+  return unit < 1.0 ? std::round(value / unit) / std::round(1.0 / unit)
+                    : std::round(value / unit) * unit;
+}
+
 /// Track and knob over the slider drawn last; `part` is 0..1.
 void draw_slider(const PanelContext& context, float part) {
   const ThemeColours& c = context.colours;
@@ -53,6 +62,9 @@ void action_slider(PanelContext& context, ActionId id, double value, const Slide
   if (look.is_logarithmic) {
     flags |= ImGuiSliderFlags_Logarithmic;
   }
+  // What is rounded to significant digits, ImGui takes as precisely as may be: it makes of a
+  // format's digits the least value of a logarithmic scale.
+  const char* format = look.digits > 0 ? "%.10g" : look.format;
   // ImGui's slider does the work unseen, except while a value is typed into it.
   const std::string name = "##" + std::to_string(static_cast<int>(id));
   const bool is_typing = ImGui::TempInputIsActive(ImGui::GetID(name.c_str()));
@@ -65,7 +77,10 @@ void action_slider(PanelContext& context, ActionId id, double value, const Slide
   }
   const double before = value;
   const bool is_changed = ImGui::SliderScalar(name.c_str(), ImGuiDataType_Double, &value, &look.low,
-                                              &look.high, look.format, flags);
+                                              &look.high, format, flags);
+  if (is_changed && look.digits > 0 && !is_typing) {
+    value = rounded_to(value, look.digits);
+  }
   if (!is_typing) {
     ImGui::PopStyleColor(6);
     draw_slider(context, slider_part(look, before));

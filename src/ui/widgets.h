@@ -60,6 +60,7 @@ struct SliderLook {
   double low = 0.0;
   double high = 1.0;
   bool is_logarithmic = false;
+  int digits = 0;  ///< Significant ones that values are rounded to; 0: as many as `format` shows.
 };
 /// Emits `id` with the new value while it is dragged.
 void action_slider(PanelContext& context, ActionId id, double value, const SliderLook& look);

@@ -72,6 +72,24 @@ const std::vector<Scene>& scenes() {
          desk.session().perform(kRaiseDihedral);
          desk.session().perform(kGrowPainting);
        }},
+      {"auto_depth",
+       [](Desk& desk) {
+         fold_all(desk, &ui::PanelLayout::auto_depth_open);
+         desk.session().perform({kSetDepthRules, std::string("tolerance=0.002d")});
+         desk.session().perform(kChooseDepths);
+       }},
+      {"curve",
+       [](Desk& desk) {
+         fold_all(desk, &ui::PanelLayout::auto_depth_open);
+         desk.session().perform({kSetDepthRules, std::string("curve=curvature,20/0,60/2,120/3")});
+         desk.session().perform({kToggleLiveDepths, true});
+       }},
+      {"distance",
+       [](Desk& desk) {
+         fold_all(desk, &ui::PanelLayout::numbers_open);
+         paint_head(desk);
+         desk.session().perform(kTintDistance);
+       }},
       {"cage",
        [](Desk& desk) {
          fold_all(desk, &ui::PanelLayout::display_open);
@@ -160,6 +178,7 @@ std::string keys_of(const std::string& word) {
       {"kToggleMirrorZ", kToggleMirrorZ},
       {"kRaiseVisible", kRaiseVisible},
       {"kRaiseDihedral", kRaiseDihedral},
+      {"kChooseDepths", kChooseDepths},
       {"kGrowPainting", kGrowPainting},
       {"kShrinkPainting", kShrinkPainting},
       {"kSmoothPainting", kSmoothPainting},

@@ -37,6 +37,11 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereSaved) {
   saved.brush.mirror = {.x = true, .z = true};
   saved.dihedral_threshold = 12.25;
   saved.crease_sharpness = 3.75;
+  saved.auto_depth.rules = parse_paint_rules("budget=77t,greatest:max in painted", "test").value();
+  saved.auto_depth.choices[1] = std::get<ChooseDepths>(saved.auto_depth.rules[0].action).choice;
+  saved.auto_depth.moves_to_limit = false;
+  saved.presets = {{"mine", "All of it.", "all:+1\ngrow\n"}, {"other", "", "grow\n"}};
+  saved.layout.auto_depth_open = true;
   saved.display.creases = !saved.display.creases;
   saved.face_budget = 123456;
   saved.shows_hints = true;

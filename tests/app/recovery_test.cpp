@@ -72,7 +72,10 @@ class RecoveryTest : public testing::Test {
     return copy;
   }
   static SessionHost host(const fs::path& common) {
-    return {[] {}, {}, {}, common};
+    SessionHost host;
+    host.wake = [] {};
+    host.recovery_folder = common;
+    return host;
   }
 
   const test::ScratchFolder scratch_;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/desk.h"
+#include "support/effort.h"
 
 namespace limn::app {
 namespace {
@@ -22,31 +23,62 @@ class RandomHand {
   std::size_t below(std::size_t n) { return random_() % n; }
 
   ui::Action next() {
-    static const std::vector<ui::ActionId> plain{kUndo,           kUndo,
-                                                 kUndo,           kRedo,
-                                                 kRevert,         kRaiseAll,
-                                                 kLowerAll,       kZeroAll,
-                                                 kRemoveIllegal,  kSubdivide,
-                                                 kBackToControl,  kApply,
-                                                 kShowControl,    kShowRefined,
-                                                 kShowBoth,       kSchemeForward,
-                                                 kSchemeForward,  kSchemeBack,
-                                                 kLoopOriginal,   kLoopWarren,
-                                                 kMakeFit,        kMakeFit,
-                                                 kCompareSphere,  kTintDistance,
-                                                 kTintDepth,      kMeasureDistance,
-                                                 kSplitEdge,      kSplitEdge,
-                                                 kFlipEdge,       kToggleValences,
-                                                 kToggleFaces,    kToggleLabels,
-                                                 kCreaseDihedral, kClearCreases,
-                                                 kCornersSmooth,  kCornersSharp,
-                                                 kAdaptiveLoop,   kAdaptiveCatmullClark,
-                                                 kToolSplitEdge,  kToolPaint,
-                                                 kToolFill,       kToolSmartFill,
-                                                 kGrowPainting,   kShrinkPainting,
-                                                 kSmoothPainting, kInvertPainting,
-                                                 kMirrorPainting, kToggleMirrorX,
-                                                 kToggleMirrorZ,  kSubdivideOneLevel,
+    static const std::vector<ui::ActionId> plain{kUndo,
+                                                 kUndo,
+                                                 kUndo,
+                                                 kRedo,
+                                                 kRevert,
+                                                 kRaiseAll,
+                                                 kLowerAll,
+                                                 kZeroAll,
+                                                 kRemoveIllegal,
+                                                 kSubdivide,
+                                                 kBackToControl,
+                                                 kApply,
+                                                 kShowControl,
+                                                 kShowRefined,
+                                                 kShowBoth,
+                                                 kSchemeForward,
+                                                 kSchemeForward,
+                                                 kSchemeBack,
+                                                 kLoopOriginal,
+                                                 kLoopWarren,
+                                                 kMakeFit,
+                                                 kMakeFit,
+                                                 kCompareSphere,
+                                                 kTintDistance,
+                                                 kTintDepth,
+                                                 kMeasureDistance,
+                                                 kSplitEdge,
+                                                 kSplitEdge,
+                                                 kFlipEdge,
+                                                 kToggleValences,
+                                                 kToggleFaces,
+                                                 kToggleLabels,
+                                                 kCreaseDihedral,
+                                                 kClearCreases,
+                                                 kCornersSmooth,
+                                                 kCornersSharp,
+                                                 kAdaptiveLoop,
+                                                 kAdaptiveCatmullClark,
+                                                 kToolSplitEdge,
+                                                 kToolPaint,
+                                                 kToolFill,
+                                                 kToolSmartFill,
+                                                 kGrowPainting,
+                                                 kShrinkPainting,
+                                                 kSmoothPainting,
+                                                 kInvertPainting,
+                                                 kMirrorPainting,
+                                                 kToggleMirrorX,
+                                                 kToggleMirrorZ,
+                                                 kSubdivideOneLevel,
+                                                 kChooseDepths,
+                                                 kChooseDepths,
+                                                 kToggleLiveDepths,
+                                                 kCompareBudget,
+                                                 kKeepView,
+                                                 kForgetViews,
                                                  kCancel};
     static const std::vector<std::string> all_words = [] {
       std::vector<std::string> words{""};
@@ -55,10 +87,13 @@ class RandomHand {
       }
       return words;
     }();
-    const std::size_t choice = below(10);
+    const std::size_t choice = below(11);
     if (choice == 0) {
       static constexpr std::array kMeshes{"cube", "icosahedron", "mixed", "grid", "sphere"};
       return {kOpenBundled, std::string(kMeshes[below(kMeshes.size())])};
+    }
+    if (choice == 10) {
+      return {kSetDepthSource, static_cast<int>(below(ui::kDepthSources))};
     }
     if (choice < 3) {
       return {choice == 1 ? kSetScheme : kSetSecondScheme, all_words[below(all_words.size())]};
@@ -131,13 +166,13 @@ void expect_sound(const Session& session) {
 }
 
 TEST(Session, WhateverIsPressedEveryFrameCanBeDrawn) {
-  constexpr int kSteps = 400;
+  const int steps = static_cast<int>(400 * test::effort());
   RandomHand hand(9);
   Desk desk({560, 400});
   Session& session = desk.session();
   session.set_face_budget(4000);
   double now = 0.0;
-  for (int step = 0; step < kSteps && !testing::Test::HasFailure(); ++step) {
+  for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
     point_somewhere(session, hand);
     if (hand.below(3) == 0) {
       paint_somewhere(session, hand);

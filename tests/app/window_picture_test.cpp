@@ -89,6 +89,7 @@ TEST_P(PanelPicture, InBothThemes) {
 
 INSTANTIATE_TEST_SUITE_P(Panels, PanelPicture,
                          testing::Values(Panel{"paint", &ui::PanelLayout::paint_open},
+                                         Panel{"auto_depth", &ui::PanelLayout::auto_depth_open},
                                          Panel{"subdivide", &ui::PanelLayout::subdivide_open},
                                          Panel{"display", &ui::PanelLayout::display_open},
                                          Panel{"numbers", &ui::PanelLayout::numbers_open},

@@ -373,6 +373,7 @@ TEST(Panels, EveryActionIsReachable) {
   PanelLayout layout;
   layout.schemes_open = true;
   layout.steps_open = true;
+  layout.auto_depth_open = true;
   screen.gui().set_layout(layout);
   screen.recent = {"/tmp/a.obj"};
   std::set<std::string> names;
@@ -410,6 +411,12 @@ TEST(Panels, EveryActionIsReachable) {
     screen.settle();
     look();
   }
+  for (const char* rule : {"screen=4px", "curve=curvature,5/0,40/3"}) {
+    screen.model.auto_depth.settings.rules = {parse_paint_rule(rule).value()};
+    screen.settle();
+    look();
+  }
+  screen.model.auto_depth.outcome = AutoDepthOutcome{1, {}, 0.5, 0, FaceBudget{}};
   screen.model.brush.tool = Tool::kSmartFill;
   screen.settle();
   look();
@@ -423,13 +430,15 @@ TEST(Panels, EveryActionIsReachable) {
     const std::string label(action.label);
     const bool is_drawn = names.contains(label) || names.contains("menu: " + label) ||
                           names.contains("tool: " + label);
-    // Bundled meshes, folders, schemes, their levels, steps of the history, mended places and flaws
-    // are reached by their names, tested where those are.
+    // Bundled meshes, folders, schemes, their levels, steps of the history, mended places, flaws
+    // and what depths are chosen by are reached by their names, tested where those are.
     const bool is_by_name =
         action.value == ValueKind::kText || action.id == ActionId::kSetSchemeLevel ||
         action.id == ActionId::kGoToStep || action.id == ActionId::kNextMend ||
         action.id == ActionId::kPreviousMend || action.id == ActionId::kNextFlaw ||
-        action.id == ActionId::kPreviousFlaw;
+        action.id == ActionId::kPreviousFlaw || action.id == ActionId::kSetDepthSource ||
+        action.id == ActionId::kSetDepthUnit || action.id == ActionId::kSetBudgetGoal ||
+        action.id == ActionId::kSetSilhouettes;
     EXPECT_TRUE(reached.contains(action.id) || is_drawn || is_by_name) << label;
   }
 }

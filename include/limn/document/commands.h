@@ -17,9 +17,10 @@ namespace limn {
 
 /// Changes depths: a stroke, a rule, "zero all"; and demands on finer faces. Both must fit the
 /// document they are applied to. The stage stays: what is shown refined is derived again from the
-/// new painting.
-[[nodiscard]] std::unique_ptr<Command> paint_command(std::vector<DepthEdit> edits, std::string name,
-                                                     DemandEdits demands = {});
+/// new painting. `settings` are what it was chosen for, where they become others.
+[[nodiscard]] std::unique_ptr<Command> paint_command(
+    std::vector<DepthEdit> edits, std::string name, DemandEdits demands = {},
+    std::optional<SubdivisionSettings> settings = std::nullopt);
 
 /// Shows more or less of the subdivision.
 [[nodiscard]] std::unique_ptr<Command> stage_command(Stage stage, std::string name);

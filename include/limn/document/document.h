@@ -35,6 +35,8 @@ struct Revisions {
   std::uint64_t control = 0;
   std::uint64_t depths = 0;  ///< Demands, too.
   std::uint64_t stage = 0;   ///< Stage, settings or scheme.
+
+  [[nodiscard]] bool operator==(const Revisions&) const = default;
 };
 
 /// What is open: the control mesh and its painting. Plain data, changed by commands alone
