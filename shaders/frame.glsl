@@ -9,6 +9,8 @@ const int kShowIllegal = 32;
 const int kFilled = 64;
 const int kMaterialShift = 7;  // two bits
 const int kColourByDistance = 512;
+const int kHasDemands = 1024;    // face bytes are depths asked of drawn faces
+const int kLightsDrawn = 2048;   // the set of lit faces is one of drawn faces
 
 const int kStudio = 0;
 const int kClay = 1;

@@ -7,6 +7,7 @@
 #include "surface.glsl"
 #include "face_paint.glsl"
 #include "frame.glsl"
+#include "face_bytes.glsl"
 
 // Where not every face gets a number: drawn face, and how many times its size the number's is.
 struct NumberedFace {
@@ -50,7 +51,7 @@ void main() {
   float scale = is_listed != 0 ? numbered_faces[index].scale : 1.0;
 
   uint record = surface_faces[face];
-  number = has_option(kColourByLevel) ? record >> 28 : depth_of_face(record & 0x0FFFFFFFu);
+  number = has_option(kColourByLevel) ? record >> 28 : depth_of_drawn_face(face, record & 0x0FFFFFFFu);
   shade = has_option(kColourByLevel) || has_option(kColourByDepth) ? min(number, 7u) : 0u;
   style = kFaceNumber;
   second = 0u;

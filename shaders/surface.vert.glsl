@@ -5,10 +5,9 @@
 #include "surface.glsl"
 #include "face_paint.glsl"
 #include "frame.glsl"
+#include "face_bytes.glsl"
 
 layout(std430, binding = 5) restrict readonly buffer SurfaceNormals { float surface_normals[]; };
-// Of drawn faces, 4 a word: 0 is no distance, 255 the greatest (render/surface/face_distances.h).
-layout(std430, binding = 10) restrict readonly buffer FaceDistances { uint face_distances[]; };
 
 out vec3 eye_position;
 out vec3 smooth_normal;
@@ -102,10 +101,10 @@ void main() {
   edge_distances = distances_to_edges(corner, position);
   if (corner.is_provoking) {
     uint shade = has_option(kColourByDistance)
-                     ? face_distances[corner.face >> 2] >> ((corner.face & 3u) * 8u) & 0xFFu
-                     : depth_of_face(corner.control_face);
-    face_state = shade | corner.level << 8 |
-                 uint(is_highlighted(corner.control_face)) << 16 |
+                     ? byte_of_face(corner.face)
+                     : depth_of_drawn_face(corner.face, corner.control_face);
+    uint lit = has_option(kLightsDrawn) ? corner.face : corner.control_face;
+    face_state = shade | corner.level << 8 | uint(is_highlighted(lit)) << 16 |
                  uint(is_illegal(corner.control_face)) << 17 | min(corner.sides, 5u) << 18;
   }
 }

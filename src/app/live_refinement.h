@@ -54,6 +54,10 @@ class LiveRefinement {
   [[nodiscard]] const DerivedLabels* labels() const noexcept;
   /// The newest refinement of the control mesh in force; null where there is none.
   [[nodiscard]] const JobResult* refined() const noexcept { return refined_.get(); }
+  /// The same for whoever keeps it.
+  [[nodiscard]] const std::shared_ptr<const JobResult>& shared_refined() const noexcept {
+    return refined_;
+  }
   /// Counts up with every new refined mesh or its going away.
   [[nodiscard]] std::uint64_t refined_revision() const noexcept { return refined_revision_; }
   /// `Revisions::depths` of the painting that `refined` was made from; 0 where there is none.

@@ -77,6 +77,7 @@ void read_brush(const Reader& root, ui::BrushSettings& brush) {
   brush.target_depth = std::clamp(brush.target_depth, 0, kMaxDepth);
   settings.read("fill_angle", brush.fill_angle, 0.0, kMostFillAngle);
   settings.read("through", brush.goes_through);
+  settings.read("fine", brush.is_fine);
   settings.read("shift_draws_lines", brush.shift_draws_lines);
   settings.read("mirror_x", brush.mirror.x);
   settings.read("mirror_y", brush.mirror.y);
@@ -201,6 +202,7 @@ Json to_json(const Preferences& preferences) {
         {"target_depth", preferences.brush.target_depth},
         {"fill_angle", preferences.brush.fill_angle},
         {"through", preferences.brush.goes_through},
+        {"fine", preferences.brush.is_fine},
         {"shift_draws_lines", preferences.brush.shift_draws_lines},
         {"mirror_x", preferences.brush.mirror.x},
         {"mirror_y", preferences.brush.mirror.y},

@@ -6,9 +6,11 @@
 #include <new>
 #include <utility>
 
+#include "limn/painting/fine_paint.h"
 #include "limn/progress.h"
 #include "limn/subdivision/labels.h"
 #include "limn/subdivision/prediction.h"
+#include "render/surface/face_order.h"
 #include "render/surface/surface.h"
 
 namespace limn::app {
@@ -224,8 +226,15 @@ void RefinementJob::carry_out(const JobRequest& request, const std::stop_token& 
   if (!progress.report(1.0, "Preparing the picture")) {
     return;
   }
-  result.surface = std::make_shared<const render::Surface>(
-      render::make_surface(*result.mesh, control.bounds().centre(), control.face_count()));
+  render::Surface surface =
+      render::make_surface(*result.mesh, control.bounds().centre(), control.face_count());
+  if (result.labels->fine != nullptr && result.refinement != nullptr) {
+    const Painting painting{control, request.depths, request.demands, request.settings.non_quads};
+    const RefinedFrom from{&control, &legal, result.labels->fine.get(), result.prediction.levels};
+    surface.face_demands = render::in_drawn_order(surface, *result.mesh,
+                                                  demanded_depths(painting, from, *result.mesh));
+  }
+  result.surface = std::make_shared<const render::Surface>(std::move(surface));
   result.is_final = true;
   publish(ticket, std::make_shared<const JobResult>(result));
 }

@@ -54,11 +54,11 @@ void Session::carry_out(const ui::Action& action) {
       perform_answer(action) || perform_recovery(action) || perform_program(action) ||
       perform_file(action) || perform_edit(action) || perform_rule(action) ||
       perform_auto_depth(action) || perform_depth_choice(action) || perform_preset(action) ||
-      perform_creases(action) || perform_brush(action) || perform_subdivision(action) ||
-      perform_steps(action) || perform_scheme(action) || perform_scheme_choice(action) ||
-      perform_edge(action) || perform_display(action) || perform_camera(action) ||
-      perform_navigation(action) || perform_report(action) || perform_flaw(action) ||
-      perform_measurement(action);
+      perform_creases(action) || perform_brush(action) || perform_fine(action) ||
+      perform_subdivision(action) || perform_steps(action) || perform_scheme(action) ||
+      perform_scheme_choice(action) || perform_edge(action) || perform_display(action) ||
+      perform_camera(action) || perform_navigation(action) || perform_report(action) ||
+      perform_flaw(action) || perform_measurement(action);
   LIMN_EXPECTS(is_known);
   update_facts();
 }
@@ -67,7 +67,8 @@ bool Session::update(double now) {
   now_ = std::max(now_, now);
   refinement_.follow(document_, wish());
   follow_second();
-  bool has_news = refinement_.update();
+  // A fine stroke goes by the refined mesh that it began on.
+  bool has_news = !fine_stroke_ && refinement_.update();
   has_news |= second_.update();
   has_news |= sphere_.update();
   has_news |= distance_.update();
@@ -131,8 +132,8 @@ void Session::finish_refinement() {
     second_.wait_until_idle();
     distance_.wait();
     auto_depth_.wait();
-  } while (update(now_) && (refinement_.is_busy() || second_.is_busy() || distance_.is_busy() ||
-                            auto_depth_.is_busy()));
+  } while (update(now_) && ((refinement_.is_busy() && !fine_stroke_) || second_.is_busy() ||
+                            distance_.is_busy() || auto_depth_.is_busy()));
   exports_.wait_until_idle();
   report_export();
   finish_forecast();
@@ -140,6 +141,7 @@ void Session::finish_refinement() {
 
 void Session::show(Project project) {
   stroke_.reset();
+  fine_stroke_.reset();
   auto_depth_.stop_choosing();
   wants_depths_ = false;
   mend_focus_.reset();
@@ -348,8 +350,8 @@ std::string Session::title() const {
 ui::Model Session::model() const {
   std::optional<ui::HoverInfo> hover;
   if (hover_) {
-    hover =
-        ui::HoverInfo{*hover_, document_.depths[*hover_], document_.control->face(*hover_).size()};
+    hover = ui::HoverInfo{*hover_, document_.depths[*hover_],
+                          document_.control->face(*hover_).size(), fine_hover()};
   }
   std::optional<ui::EdgeHover> hover_edge;
   if (hover_edge_) {

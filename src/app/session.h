@@ -22,6 +22,7 @@
 #include "app/legalisation_stepper.h"
 #include "app/live_refinement.h"
 #include "app/mesh_facts.h"
+#include "app/paint_tools/fine_stroke.h"
 #include "app/paint_tools/forecast_job.h"
 #include "app/paint_tools/mesh_aids.h"
 #include "app/scheme_facts.h"
@@ -35,6 +36,10 @@
 #include "limn/painting/stroke.h"
 #include "ui/action.h"
 #include "ui/model.h"
+
+namespace limn {
+struct Painting;
+}
 
 namespace limn::app {
 
@@ -173,7 +178,28 @@ class Session {
   bool touch(std::span<const std::uint32_t> faces);
   void end_stroke();
   void give_up_stroke();
-  [[nodiscard]] bool is_stroking() const noexcept { return stroke_.has_value(); }
+  [[nodiscard]] bool is_stroking() const noexcept {
+    return stroke_.has_value() || fine_stroke_.has_value();
+  }
+
+  /// Whether the tool in hand paints on faces of the refined mesh shown. session_fine.cpp, as what
+  /// follows it.
+  [[nodiscard]] bool paints_fine() const noexcept;
+  /// A stroke over faces of the refined mesh, which changes the document when it ends, as one
+  /// command, "paint 12 finer faces". Until then no other refined mesh is taken in.
+  void begin_fine_stroke(DepthChange change, std::string name = "paint");
+  /// Takes in faces that were touched. Returns true where any is new.
+  bool touch(const ShownFaces& shown);
+  /// What a fine stroke has touched so far; null where there is none.
+  [[nodiscard]] const ShownFaces* touched() const noexcept {
+    return fine_stroke_ ? &fine_stroke_->touched() : nullptr;
+  }
+  /// The faces and, where the brush mirrors, their images.
+  [[nodiscard]] ShownFaces with_images(const ShownFaces& shown);
+  /// As `propose` below.
+  void propose(const ShownFaces& shown, DepthChange change);
+  /// The face of the refined mesh under the cursor, by name.
+  void set_hover_name(std::optional<FineFace> name) noexcept { hover_name_ = name; }
 
   /// What the fill in hand takes with this face. session_tools.cpp, as what follows it.
   [[nodiscard]] std::vector<std::uint32_t> fill_region(std::uint32_t seed);
@@ -208,6 +234,12 @@ class Session {
   bool perform_subdivision(const ui::Action& action);
   bool perform_brush(const ui::Action& action);  // session_tools.cpp, as what follows it
   bool perform_tool(const ui::Action& action);
+  bool perform_fine(const ui::Action& action);  // session_fine.cpp, as what follows it
+  void clear_fine();
+  [[nodiscard]] Painting painting() const;
+  [[nodiscard]] std::vector<FineFace> fine_faces(const ShownFaces& shown);
+  void end_fine_stroke();
+  [[nodiscard]] std::optional<ui::FineHover> fine_hover() const;
   /// Its radius, or what stands for it with the tool in hand.
   void size_brush(int steps);
   bool perform_steps(const ui::Action& action);  // session_steps.cpp
@@ -334,6 +366,7 @@ class Session {
   bool is_framed_ = true;  ///< False until a new document's default view has met the real aspect.
   std::optional<std::uint32_t> hover_;
   std::optional<std::uint32_t> hover_edge_;
+  std::optional<FineFace> hover_name_;
   std::optional<ui::MendFocus> mend_focus_;
   std::optional<ui::FlawFocus> flaw_focus_;
   std::shared_ptr<const ControlMesh> known_control_;  ///< At the last `update_facts`.
@@ -349,6 +382,7 @@ class Session {
   bool wants_depths_ = false;  ///< As soon as nothing stands in the way.
   std::optional<Stroke> stroke_;
   std::string stroke_name_;
+  std::optional<FineStroke> fine_stroke_;  ///< At most one of the two.
   MeshAids aids_;
   std::size_t lone_faces_ = 0;                 ///< As in ui::Model.
   std::optional<ui::PaintForecast> proposal_;  ///< Without its cost.

@@ -105,7 +105,8 @@ bool Session::perform_brush(const ui::Action& action) {
       return true;
     case kPickDepth:
       if (hover_) {
-        brush_.target_depth = document_.depths[*hover_];
+        const auto finer = fine_hover();
+        brush_.target_depth = finer ? finer->depth : document_.depths[*hover_];
         brush_.sets_depth = true;
       } else {
         toast(Kind::kNote, "Point at a face to pick its depth.");
@@ -148,6 +149,9 @@ bool Session::touch(std::span<const std::uint32_t> faces) {
 }
 
 void Session::end_stroke() {
+  if (fine_stroke_) {
+    end_fine_stroke();
+  }
   if (!stroke_) {
     return;
   }
@@ -173,6 +177,7 @@ void Session::give_up_stroke() {
     ++document_.revisions.depths;
   }
   stroke_.reset();
+  fine_stroke_.reset();
 }
 
 std::vector<std::uint32_t> Session::fill_region(std::uint32_t seed) {
@@ -205,8 +210,13 @@ void Session::propose(std::span<const std::uint32_t> faces, DepthChange change) 
   }
   proposal.amount = change.amount;
   proposal_ = proposal;
-  forecast_.ask({document_.control, document_.depths, std::move(edits), document_.settings,
-                 shown_levels() > 0 ? shown_levels() : kAllLevels, document_.demands});
+  forecast_.ask({document_.control,
+                 document_.depths,
+                 std::move(edits),
+                 document_.settings,
+                 shown_levels() > 0 ? shown_levels() : kAllLevels,
+                 document_.demands,
+                 {}});
 }
 
 void Session::withdraw_proposal() {

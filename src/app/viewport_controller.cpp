@@ -15,6 +15,15 @@ using ui::MouseButton;
 
 constexpr double kBrushPerNotch = 1.12;
 
+/// What the face of the refined mesh at a place is called, where one paints on such.
+std::optional<FineFace> fine_name_at(const ViewportFrame& frame, render::FramebufferPoint at) {
+  if (!frame.session.paints_fine()) {
+    return std::nullopt;
+  }
+  const std::vector<FineFace> names = names_of(frame.picker.shown_face_at(at));
+  return names.empty() ? std::nullopt : std::optional(names.front());
+}
+
 }  // namespace
 
 void ViewportController::update(const ui::ViewportInput& input, const ViewportPlace& place,
@@ -120,6 +129,7 @@ void ViewportController::hover(const ViewportFrame& frame) {
     session.set_hover_edge(std::nullopt);
     if (!is_here) {
       session.set_hover(std::nullopt);
+      session.set_hover_name(std::nullopt);
     }
     return;
   }
@@ -132,6 +142,7 @@ void ViewportController::hover(const ViewportFrame& frame) {
   session.set_hover_edge(face && ui::picks_edges(session.brush().tool)
                              ? edge_tools::edge_at(frame, face->control_face, last_)
                              : std::nullopt);
+  session.set_hover_name(face ? fine_name_at(frame, last_) : std::nullopt);
   tools_.hover(frame, last_);
 }
 

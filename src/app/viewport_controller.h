@@ -36,6 +36,8 @@ class ViewportController {
   [[nodiscard]] std::span<const std::uint32_t> highlighted() const noexcept {
     return tools_.highlighted();
   }
+  /// Faces of the mesh shown that it would instead, where one paints on such; null otherwise.
+  [[nodiscard]] const ShownFaces* lit() const noexcept { return tools_.lit(); }
 
  private:
   enum class Drag : std::uint8_t { kNone, kCamera, kPaint, kEdge, kIdle };

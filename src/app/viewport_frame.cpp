@@ -31,6 +31,20 @@ render::FramebufferPoint ViewportFrame::to_pixel(ui::WindowPoint at) const {
   return place.to_pixel(at);
 }
 
+ShownFaces ViewportPicker::shown_faces_in(const render::ScreenRegion& region, Reach reach) {
+  ShownFaces shown{nullptr, faces_in(region, reach)};
+  std::ranges::sort(shown.faces);
+  return shown;
+}
+
+ShownFaces ViewportPicker::shown_face_at(render::FramebufferPoint point) {
+  ShownFaces shown = shown_faces_in(render::BrushCapsule{point, point, 0.0}, Reach::kVisible);
+  if (shown.faces.size() > 1) {
+    shown.faces.erase(shown.faces.begin() + 1, shown.faces.end());
+  }
+  return shown;
+}
+
 std::optional<render::PickedFace> ViewportFrame::pick(render::FramebufferPoint at) const {
   return is_in_second ? std::nullopt : picker.pick(at);
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/paint_tools/shown_faces.h"
 #include "render/camera.h"
 #include "render/coordinates.h"
 #include "render/picking/picked_face.h"
@@ -28,6 +29,10 @@ class ViewportPicker {
   /// Control faces in a part of the picture, each once.
   [[nodiscard]] virtual std::vector<std::uint32_t> faces_in(const render::ScreenRegion& region,
                                                             Reach reach) = 0;
+  /// Faces of the mesh that is shown, of a refined one if that has fine faces.
+  [[nodiscard]] virtual ShownFaces shown_faces_in(const render::ScreenRegion& region, Reach reach);
+  /// The one at a place, as a list.
+  [[nodiscard]] ShownFaces shown_face_at(render::FramebufferPoint point);
 };
 
 /// Where the viewport lies: its rectangle in the window, and its size in pixels. Where it is split,

@@ -8,6 +8,7 @@
 
 #include "app/session.h"
 #include "limn/mesh/refined_mesh.h"
+#include "render/surface/face_order.h"
 
 namespace limn::app {
 namespace {
@@ -155,6 +156,7 @@ Result<void> ViewportScene::sync_refined(const LiveRefinement& refinement, Refin
     return {};
   }
   refined.is_there = false;
+  refined.source = nullptr;
   refined.revision = refinement.refined_revision();
   ++content_;
   if (const JobResult* result = refinement.refined(); result != nullptr) {
@@ -163,6 +165,9 @@ Result<void> ViewportScene::sync_refined(const LiveRefinement& refinement, Refin
       return uploaded;
     }
     refined.creases.upload(render::crease_lines(*result->mesh, refined.surface.origin()));
+    refined.demands.upload(result->surface->face_demands);
+    refined.lit.reset(result->surface->face_count());
+    refined.source = refinement.shared_refined();
     refined.is_there = true;
     refined.has_numbered = false;
   }
@@ -294,6 +299,9 @@ render::Scene ViewportScene::scene_of(const Session& session, const Refined* ref
   if (refined != nullptr && session.display().tint != ui::Tint::kLevel) {
     scene.numbered = &refined->numbered;
   }
+  if (refined != nullptr && refined->demands.count() > 0) {
+    scene.demands = &refined->demands;
+  }
   if (session.display().valences && dots.markers.count() > 0) {
     scene.valences = &dots.markers;
   }
@@ -310,11 +318,18 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
                content_,          look.ring,
                look.outline,      {look.highlighted.begin(), look.highlighted.end()},
                look.edge,         has_cage(session)};
+  if (look.lit != nullptr && shows_refined && look.lit->refined == refined_.source) {
+    wanted.lit = look.lit->faces;
+  }
   if (shown_ == wanted) {
     return;
   }
   if (!shown_ || shown_->highlighted != wanted.highlighted || shown_->content != wanted.content) {
     paint_.set_highlighted(look.highlighted);
+  }
+  if (wanted.lit && (!shown_ || shown_->lit != wanted.lit || shown_->content != wanted.content)) {
+    const JobResult& source = *refined_.source;
+    refined_.lit.assign(render::drawn_faces(*source.surface, *source.mesh, *wanted.lit));
   }
   const render::Camera seen = camera(session, size);
   render::DrawSettings settings = draw_settings(session.display(), look.scale);
@@ -330,6 +345,7 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
   if (shows_refined && distances_.are_there && distances_.refined == refined_.revision) {
     scene.distances = &distances_.faces;
   }
+  scene.lit = wanted.lit ? &refined_.lit : nullptr;
   scene.markers = markers_.count() > 0 ? &markers_ : nullptr;
   if (look.ring) {
     scene.ring = render::OverlayRing{{look.ring->centre.x, look.ring->centre.y},
@@ -375,6 +391,26 @@ std::vector<std::uint32_t> ViewportScene::faces_in(const Session& session,
   std::vector<std::uint32_t> all;
   std::ranges::set_union(faces, visible, std::back_inserter(all));
   return all;
+}
+
+ShownFaces ViewportScene::shown_faces_in(const Session& session, render::FramebufferSize size,
+                                         const render::ScreenRegion& region, Reach reach) {
+  if (!refined_.is_there || !session.shows_refined() || !has_fine_faces(*refined_.source)) {
+    ShownFaces shown{nullptr, faces_in(session, size, region, reach)};
+    std::ranges::sort(shown.faces);
+    return shown;
+  }
+  const render::Camera seen = camera(session, size);
+  const JobResult& source = *refined_.source;
+  std::vector<std::uint32_t> faces = render::refined_faces(
+      *source.surface, *source.mesh, picker_.drawn_faces_in({refined_.surface, seen}, region));
+  if (reach == Reach::kThrough) {
+    std::vector<std::uint32_t> all;
+    std::ranges::set_union(through_picker_.refined_faces_in(source.mesh, seen, region), faces,
+                           std::back_inserter(all));
+    faces = std::move(all);
+  }
+  return {refined_.source, std::move(faces)};
 }
 
 std::vector<std::uint32_t> ViewportScene::visible_faces(const Session& session,

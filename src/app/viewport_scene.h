@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/paint_tools/paint_tools.h"
+#include "app/paint_tools/shown_faces.h"
 #include "app/viewport_frame.h"
 #include "limn/error.h"
 #include "limn/mesh/control_mesh.h"
@@ -16,6 +17,7 @@
 #include "render/picking/through_picker.h"
 #include "render/render_target.h"
 #include "render/surface/crease_lines.h"
+#include "render/surface/face_demands.h"
 #include "render/surface/face_distances.h"
 #include "render/surface/face_paint.h"
 #include "render/surface/markers.h"
@@ -35,6 +37,7 @@ struct ViewportLook {
   std::span<const std::uint32_t> highlighted;  ///< Control faces.
   std::optional<std::uint32_t> edge;           ///< A control edge that lights up.
   double scale = 1.0;                          ///< Pixels per unit of the interface.
+  const ShownFaces* lit = nullptr;  ///< Light up in place of `highlighted`, if they are shown.
 };
 
 /// A session's meshes on the GPU: uploads what has changed since last time, draws when something
@@ -76,6 +79,9 @@ class ViewportScene {
                                                     render::FramebufferSize size,
                                                     const render::ScreenRegion& region,
                                                     Reach reach);
+  /// Faces of what `sync` has uploaded.
+  [[nodiscard]] ShownFaces shown_faces_in(const Session& session, render::FramebufferSize size,
+                                          const render::ScreenRegion& region, Reach reach);
   [[nodiscard]] std::vector<std::uint32_t> visible_faces(const Session& session,
                                                          render::FramebufferSize size);
 
@@ -94,6 +100,7 @@ class ViewportScene {
     std::vector<std::uint32_t> highlighted;
     std::optional<std::uint32_t> edge;
     bool has_cage = false;
+    std::optional<std::vector<std::uint32_t>> lit{};  ///< Faces of the refined mesh.
 
     [[nodiscard]] bool operator==(const Shown&) const = default;
   };
@@ -103,6 +110,9 @@ class ViewportScene {
     render::SurfaceBuffers surface;
     render::CreaseBuffers creases;
     render::NumberedFaces numbered;
+    render::FaceDemands demands;
+    render::FaceSetBuffer lit{"lit faces"};
+    std::shared_ptr<const JobResult> source;
     std::optional<std::uint64_t> revision;
     bool is_there = false;
     bool has_numbered = false;  ///< `numbered` is of what is there.

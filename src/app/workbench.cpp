@@ -26,6 +26,10 @@ class ScenePicker final : public ViewportPicker {
                                                     Reach reach) override {
     return scene_.faces_in(session_, size_, region, reach);
   }
+  [[nodiscard]] ShownFaces shown_faces_in(const render::ScreenRegion& region,
+                                          Reach reach) override {
+    return scene_.shown_faces_in(session_, size_, region, reach);
+  }
 
  private:
   ViewportScene& scene_;
@@ -198,7 +202,7 @@ void Workbench::draw(const Screen& screen, GLuint framebuffer) {
   const ui::Scale& scale = screen.scale;
   scene_->draw(session_, place_.size,
                {controller_.ring(), controller_.outline(), controller_.highlighted(),
-                session_.hover_edge(), scale.interface * scale.density});
+                session_.hover_edge(), scale.interface * scale.density, controller_.lit()});
   const auto start = [&] {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, screen.framebuffer.width, screen.framebuffer.height);

@@ -13,6 +13,10 @@
 
 namespace limn::render {
 
+/// Bits of `options` that follow from what is drawn; those of shaders/frame.glsl.
+inline constexpr std::int32_t kHasDemands = 1024;
+inline constexpr std::int32_t kLightsDrawn = 2048;
+
 /// The uniform block of shaders/frame.glsl, member for member in std140 layout.
 struct FrameUniforms {
   glm::mat4 clip_from_local;

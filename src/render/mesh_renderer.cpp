@@ -83,7 +83,10 @@ void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const 
   const glm::dvec3 origin = scene.surface != nullptr ? scene.surface->origin()
                             : scene.cage != nullptr  ? scene.cage->origin()
                                                      : glm::dvec3(0.0);
-  const FrameUniforms frame = frame_uniforms(camera, origin, settings);
+  FrameUniforms frame = frame_uniforms(camera, origin, settings);
+  frame.options |=
+      (scene.demands != nullptr && settings.colour != FaceColour::kDistance ? kHasDemands : 0) |
+      (scene.lit != nullptr ? kLightsDrawn : 0);
   frame_.upload(std::span<const FrameUniforms>(&frame, 1));
   frame_.bind_uniform(0);
 
@@ -108,7 +111,7 @@ void MeshRenderer::draw(const RenderTarget& target, const Camera& camera, const 
   }
   draw_creases(scene);
   if (settings.has_numbers && scene.surface != nullptr) {
-    draw_numbers(scene);
+    draw_numbers(scene, settings);
   }
   for (const MarkerBuffers* markers : {scene.markers, scene.valences}) {
     if (markers != nullptr) {
@@ -129,14 +132,24 @@ void MeshRenderer::draw_background(const DrawSettings& settings) const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void MeshRenderer::bind_face_bytes(const Scene& scene, const DrawSettings& settings) {
+  if (settings.colour == FaceColour::kDistance) {
+    LIMN_EXPECTS(scene.distances->count() == scene.surface->face_count());
+    scene.distances->bind();
+  } else if (scene.demands != nullptr) {
+    LIMN_EXPECTS(scene.demands->count() == scene.surface->face_count());
+    scene.demands->bind();
+  }
+}
+
 void MeshRenderer::draw_surface(const Scene& scene, const DrawSettings& settings) const {
   LIMN_EXPECTS(scene.paint->face_count() == scene.surface->control_face_count());
   surface_program_.use();
   scene.paint->bind();
-  if (scene.distances != nullptr) {
-    LIMN_EXPECTS(scene.distances->count() == scene.surface->face_count());
-    scene.distances->bind();
+  if (scene.lit != nullptr) {
+    scene.lit->bind_storage(6);
   }
+  bind_face_bytes(scene, settings);
   if (!settings.has_faces) {
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   }
@@ -168,12 +181,13 @@ void MeshRenderer::draw_creases(const Scene& scene) const {
   }
 }
 
-void MeshRenderer::draw_numbers(const Scene& scene) const {
+void MeshRenderer::draw_numbers(const Scene& scene, const DrawSettings& settings) const {
   const bool is_listed = scene.numbered != nullptr;
   numbers_program_.set(0, scene.surface->group_count());
   numbers_program_.set(1, is_listed ? 1 : 0);
   numbers_program_.use();
   scene.paint->bind();
+  bind_face_bytes(scene, settings);
   digits_.bind_storage(9);
   if (is_listed) {
     scene.numbered->bind();

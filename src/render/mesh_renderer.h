@@ -12,6 +12,7 @@
 #include "render/gl/vertex_array.h"
 #include "render/render_target.h"
 #include "render/surface/crease_lines.h"
+#include "render/surface/face_demands.h"
 #include "render/surface/face_distances.h"
 #include "render/surface/face_paint.h"
 #include "render/surface/markers.h"
@@ -41,8 +42,11 @@ struct Scene {
   const SurfaceBuffers* surface = nullptr;   ///< Nothing: the background alone.
   const FacePaint* paint = nullptr;          ///< Needed where there is a surface.
   const FaceDistances* distances = nullptr;  ///< Of the faces of `surface`, for kDistance.
-  const SurfaceBuffers* cage = nullptr;      ///< A control surface whose edges lie over `surface`.
-  const CreaseBuffers* creases = nullptr;    ///< Of `surface`.
+  const FaceDemands* demands = nullptr;      ///< Of the faces of `surface`, if there are any.
+  /// Faces of `surface` that light up, in place of those control faces that `paint` names.
+  const FaceSetBuffer* lit = nullptr;
+  const SurfaceBuffers* cage = nullptr;    ///< A control surface whose edges lie over `surface`.
+  const CreaseBuffers* creases = nullptr;  ///< Of `surface`.
   const CreaseBuffers* cage_creases = nullptr;  ///< Of `cage`.
   /// Where numbers are drawn: on these faces of `surface` alone, and not on every one.
   const NumberedFaces* numbered = nullptr;
@@ -68,7 +72,8 @@ class MeshRenderer {
   void draw_surface(const Scene& scene, const DrawSettings& settings) const;
   void draw_cage(const SurfaceBuffers& cage, const DrawSettings& settings) const;
   void draw_creases(const Scene& scene) const;
-  void draw_numbers(const Scene& scene) const;
+  static void bind_face_bytes(const Scene& scene, const DrawSettings& settings);
+  void draw_numbers(const Scene& scene, const DrawSettings& settings) const;
   void draw_markers(const MarkerBuffers& markers) const;
   void draw_overlay(const Scene& scene);
 

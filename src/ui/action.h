@@ -46,6 +46,7 @@ enum class ActionId : std::uint8_t {
   kSmoothPainting,
   kInvertPainting,
   kMirrorPainting,  ///< Symmetric by the axes that are on.
+  kClearFine,       ///< What is painted finer than control faces.
 
   // Depths that come about by themselves (auto_depth_model.h)
   kChooseDepths,       ///< As the panel is set, or as a preset says.
@@ -89,6 +90,7 @@ enum class ActionId : std::uint8_t {
   kSetBrushRadius,      ///< double, window units, kMinBrushRadius..kMaxBrushRadius (model.h).
   kSetFillAngle,        ///< double, degrees, 0..kMostFillAngle.
   kTogglePaintThrough,  ///< Hidden faces too, for brush, rectangle and lasso.
+  kToggleFine,          ///< On the refined mesh, its faces alone are painted.
   kToggleShiftLine,     ///< What Shift does with the paint tool: a line, or it lowers.
   kToggleMirrorX,
   kToggleMirrorY,

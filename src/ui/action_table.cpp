@@ -73,6 +73,8 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Make the painting symmetric across the axes that are on: each face takes the greatest depth "
      "of "
      "itself and its mirror images."},
+    {kClearFine, kPaint, kNothing, "Clear fine painting",
+     "Drop all that is painted finer than control faces. The depths of control faces stay."},
 
     {kChooseDepths, kPaint, kNothing, "Choose depths",
      "Give every face the depth that the Auto depth panel asks for. One step to undo."},
@@ -172,6 +174,10 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
      "Brush, rectangle and lasso also paint faces that are hidden behind others. Otherwise only "
      "what "
      "you see is painted."},
+    {kToggleFine, kPaint, ValueKind::kToggle, "Fine",
+     "On the refined mesh, brush, rectangle and lasso paint the small faces that you see instead "
+     "of "
+     "the control faces they lie in. The surface they approach stays the same."},
     {kToggleShiftLine, kPaint, ValueKind::kToggle, "Line with Shift",
      "With the paint tool, Shift and a click paint a straight line from where the last stroke "
      "ended, "

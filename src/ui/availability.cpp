@@ -108,6 +108,10 @@ bool is_available(const Model& model, const Action& action) {
       return is_painted;
     case ActionId::kMirrorPainting:
       return is_painted && model.brush.mirror.any();
+    case ActionId::kClearFine:
+      return !document.demands.empty();
+    case ActionId::kToggleFine:
+      return !document.scheme && document.settings.scheme == RefinementScheme::kCatmullClark;
     case ActionId::kChooseDepths:
       return document.settings.scheme == RefinementScheme::kCatmullClark ||
              !asks_for_errors(model.auto_depth.settings);
@@ -197,6 +201,51 @@ bool is_available(const Model& model, const Action& action) {
   }
 }
 
+std::string_view why_unavailable(const Model& model, const Action& action) {
+  if (is_available(model, action)) {
+    return {};
+  }
+  switch (action.id) {
+    case ActionId::kToggleFine:
+      return model.document.scheme
+                 ? "A uniform scheme is shown, which takes no paint. Choose \"As painted\" first."
+                 : "Loop's scheme has no faces within faces. Paint Catmull-Clark for that.";
+    case ActionId::kClearFine:
+      return "Nothing is painted finer than control faces.";
+    default:
+      return {};
+  }
+}
+
+std::string_view why_not_fine(const Model& model) {
+  const Tool tool = model.brush.tool;
+  if (!model.brush.is_fine || !is_painting(tool)) {
+    return {};
+  }
+  if (const std::string_view why = why_unavailable(model, ActionId::kToggleFine); !why.empty()) {
+    return why;
+  }
+  if (is_fill(tool)) {
+    return "Fills take whole control faces.";
+  }
+  if (model.display.show == ShowMode::kControl) {
+    return "Whole faces are painted while the control mesh is shown.";
+  }
+  const bool is_painted = std::any_of(model.depth_counts.begin() + 1, model.depth_counts.end(),
+                                      [](std::size_t count) { return count > 0; }) ||
+                          !model.document.demands.empty();
+  if (!is_painted) {
+    return "Whole faces are painted until there is a refined mesh.";
+  }
+  if (model.steps.is_shown && model.steps.has_trace) {
+    return "Whole faces are painted while legalisation is followed step by step.";
+  }
+  if (!model.display.live && model.document.stage.levels == 0) {
+    return "Whole faces are painted until you subdivide.";
+  }
+  return {};
+}
+
 bool is_checked(const Model& model, const Action& action) {
   const DisplaySettings& display = model.display;
   const SubdivisionSettings& settings = model.document.settings;
@@ -215,6 +264,8 @@ bool is_checked(const Model& model, const Action& action) {
       return model.brush.tool == Tool::kLasso;
     case ActionId::kTogglePaintThrough:
       return stands(model.brush.goes_through, action);
+    case ActionId::kToggleFine:
+      return stands(model.brush.is_fine, action);
     case ActionId::kToggleShiftLine:
       return stands(model.brush.shift_draws_lines, action);
     case ActionId::kToggleMirrorX:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "ui/action.h"
 #include "ui/model.h"
 
@@ -8,6 +10,13 @@ namespace limn::ui {
 /// Whether the action can do anything now. Buttons and menu entries are dimmed, and keys do
 /// nothing, where it cannot.
 [[nodiscard]] bool is_available(const Model& model, const Action& action);
+
+/// Why not, a sentence, where the person cannot be expected to see it; empty otherwise.
+[[nodiscard]] std::string_view why_unavailable(const Model& model, const Action& action);
+
+/// Why the tool in hand takes control faces although *Fine* is on, a sentence; empty where it is
+/// off or does not.
+[[nodiscard]] std::string_view why_not_fine(const Model& model);
 
 /// Flaws of a kind that the surface has.
 [[nodiscard]] std::size_t count_of(const Model& model, FlawKind kind);

@@ -96,6 +96,15 @@ void dashed_rectangle(const Pen& pen) {
   }
 }
 
+/// A square of four, one of them of four again.
+void fine(const Pen& pen) {
+  pen.stroke({{-7.0F, -7.0F}, {7.0F, -7.0F}, {7.0F, 7.0F}, {-7.0F, 7.0F}}, true);
+  pen.stroke({{-7.0F, 0.0F}, {7.0F, 0.0F}});
+  pen.stroke({{0.0F, -7.0F}, {0.0F, 7.0F}});
+  pen.stroke({{0.0F, -3.5F}, {7.0F, -3.5F}});
+  pen.stroke({{3.5F, -7.0F}, {3.5F, 0.0F}});
+}
+
 /// A loop with the end of its rope.
 void lasso(const Pen& pen) {
   constexpr int kSteps = 28;
@@ -161,6 +170,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
       break;
     case Icon::kLasso:
       lasso(pen);
+      break;
+    case Icon::kFine:
+      fine(pen);
       break;
     case Icon::kDropper:
       dropper(pen);

@@ -14,6 +14,7 @@ enum class Icon : std::uint8_t {
   kWand,
   kRectangle,
   kLasso,
+  kFine,
   kDropper,
   kOrbit,
   kSplitEdge,

@@ -121,6 +121,7 @@ std::vector<Binding> shared_bindings() {
       {{Key::kLeftBracket, kPlain}, kBrushSmaller},
       {{Key::kRightBracket, kPlain}, kBrushBigger},
       {{Key::kH, kPlain}, kTogglePaintThrough},
+      {{Key::kY, kPlain}, kToggleFine},
       {{Key::kX, kShift}, kToggleMirrorX},
       {{Key::kY, kShift}, kToggleMirrorY},
       {{Key::kZ, kShift}, kToggleMirrorZ},

@@ -69,8 +69,8 @@ void edit_menu(PanelContext& context) {
   ImGui::Separator();
   items(context, {kRaiseAll, kLowerAll, kZeroAll, kRaiseVisible, kRaiseDihedral});
   if (begin_menu(context, "Whole painting")) {
-    items(context,
-          {kGrowPainting, kShrinkPainting, kSmoothPainting, kInvertPainting, kMirrorPainting});
+    items(context, {kGrowPainting, kShrinkPainting, kSmoothPainting, kInvertPainting,
+                    kMirrorPainting, kClearFine});
     ImGui::EndMenu();
   }
   items(context, {kChooseDepths});
@@ -93,8 +93,8 @@ void edit_menu(PanelContext& context) {
   if (begin_menu(context, "Brush")) {
     items(context, {kBrushAdds, kBrushSets, kPickDepth, kBrushBigger, kBrushSmaller});
     ImGui::Separator();
-    items(context,
-          {kTogglePaintThrough, kToggleShiftLine, kToggleMirrorX, kToggleMirrorY, kToggleMirrorZ});
+    items(context, {kToggleFine, kTogglePaintThrough, kToggleShiftLine, kToggleMirrorX,
+                    kToggleMirrorY, kToggleMirrorZ});
     ImGui::EndMenu();
   }
   ImGui::EndMenu();

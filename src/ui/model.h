@@ -130,6 +130,7 @@ struct BrushSettings {
   double radius = 24.0;            ///< Window units.
   double fill_angle = 40.0;        ///< Of kSmartFill: degrees in all, 0..kMostFillAngle.
   bool goes_through = false;       ///< Hidden faces too.
+  bool is_fine = false;            ///< Faces of the refined mesh instead of control faces.
   bool shift_draws_lines = false;  ///< With kPaint; otherwise Shift lowers.
   MirrorAxes mirror{};
 
@@ -277,11 +278,18 @@ struct FlawFocus {
   glm::dvec3 position{0.0};  ///< In mesh units.
 };
 
+/// The face of the refined mesh under the cursor, where one paints on such.
+struct FineHover {
+  int level = 0;
+  int depth = 0;  ///< Asked for.
+};
+
 /// The control face under the cursor.
 struct HoverInfo {
   std::uint32_t face = 0;
   int depth = 0;
   std::size_t sides = 4;
+  std::optional<FineHover> fine{};
 };
 
 /// The control edge under the cursor, where the tool is for edges.

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "limn/document/document.h"
 #include "limn/mesh/statistics.h"
 #include "limn/subdivision/crack_check.h"
 #include "ui/availability.h"
@@ -80,7 +81,7 @@ void control_rows(PanelContext& context) {
   if (const std::size_t demands = context.model.document.demands.size(); demands > 0) {
     value_row(context, {"Finer than faces", counted(demands, "demand"),
                         "Faces of the refined mesh that are asked to be finer than the paint on "
-                        "their control face makes them. Zero all drops them."});
+                        "their control face makes them. \"Clear fine painting\" drops them."});
   }
   value_row(context, {"Euler characteristic", grouped(s.euler_characteristic),
                       "Vertices - edges + faces: 2 for a surface like a ball, 0 like a ring."});

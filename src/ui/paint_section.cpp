@@ -125,8 +125,9 @@ void axis_toggle(PanelContext& context, ActionId id, const char* letter) {
   }
 }
 
-/// The axes, what can be done by them, and how many faces that leaves out.
-void mirror_row(PanelContext& context) {
+/// The axes, and whether faces of the refined mesh are painted instead of control faces; how many
+/// faces the one leaves out, and why the other may not be.
+void mirror_and_fine_row(PanelContext& context) {
   const float gap = context.px(6);
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
@@ -138,8 +139,8 @@ void mirror_row(PanelContext& context) {
   axis_toggle(context, ActionId::kToggleMirrorY, "Y");
   ImGui::SameLine(0.0F, gap);
   axis_toggle(context, ActionId::kToggleMirrorZ, "Z");
-  ImGui::SameLine(0.0F, gap);
-  action_button(context, ActionId::kMirrorPainting);
+  ImGui::SameLine(0.0F, context.px(28));
+  action_toggle(context, ActionId::kToggleFine, room());
   if (const std::size_t lone = context.model.lone_faces; lone > 0) {
     ImGui::PushStyleColor(ImGuiCol_Text, context.colours.dim_text);
     ImGui::PushFont(context.fonts.small);
@@ -148,6 +149,11 @@ void mirror_row(PanelContext& context) {
     ImGui::TextUnformatted(fit_text(note, room()).c_str());
     ImGui::PopFont();
     ImGui::PopStyleColor();
+  }
+  if (const std::string_view why = why_not_fine(context.model); !why.empty()) {
+    ImGui::PushFont(context.fonts.small);
+    wrapped_text(context, context.colours.dim_text, why);
+    ImGui::PopFont();
   }
 }
 
@@ -158,11 +164,11 @@ void draw_paint_section(PanelContext& context) {
   action_choice(context, std::array{Choice{kBrushAdds, "Add 1"}, Choice{kBrushSets, "Set depth"}});
   target_depth_row(context);
   tool_options(context);
-  mirror_row(context);
+  mirror_and_fine_row(context);
 
   sub_heading(context, "Whole mesh");
   action_row(context, std::array<Action, 3>{kRaiseAll, kLowerAll, kZeroAll});
-  action_button(context, kRaiseVisible);
+  action_row(context, std::array<Action, 2>{kRaiseVisible, kMirrorPainting});
   action_row(context, std::array<Action, 4>{kGrowPainting, kShrinkPainting, kSmoothPainting,
                                             kInvertPainting});
 

@@ -10,6 +10,7 @@
 
 #include "limn/document/document.h"
 #include "limn/subdivision/prediction.h"
+#include "ui/availability.h"
 #include "ui/format.h"
 #include "ui/mouse_map.h"
 #include "ui/panels.h"
@@ -23,6 +24,11 @@ std::string edge_text(const EdgeHover& edge) {
   return grouped(edge.vertices[0]) + " – " + grouped(edge.vertices[1]);
 }
 
+/// Whether faces of the refined mesh are painted, as far as is told of them.
+bool is_fine(const Model& model) {
+  return model.brush.is_fine && why_not_fine(model).empty() && !is_fill(model.brush.tool);
+}
+
 /// "depth +1" or "set depth 3".
 std::string change_text(const BrushSettings& brush) {
   return brush.sets_depth ? "set depth " + std::to_string(brush.target_depth)
@@ -33,18 +39,21 @@ std::string tool_hint(const Model& model) {
   const BrushSettings& brush = model.brush;
   switch (brush.tool) {
     case Tool::kPaint:
-      return "Left drag: " + change_text(brush) +
+      return "Left drag: " + change_text(brush) + (is_fine(model) ? " on finer faces" : "") +
              (brush.shift_draws_lines ? " · Shift + click: line · Ctrl: −1" : " · Shift: −1");
     case Tool::kLower:
-      return "Left drag: depth −1 · Shift + click: line";
+      return "Left drag: depth −1" + std::string(is_fine(model) ? " on finer faces" : "") +
+             " · Shift + click: line";
     case Tool::kFill:
       return "Click: fill this depth's region, " + change_text(brush) + " · Shift: −1";
     case Tool::kSmartFill:
       return "Click: fill up to the angle, " + change_text(brush) + " · Shift: −1";
     case Tool::kRectangle:
-      return "Left drag: rectangle, " + change_text(brush) + " · Shift: −1";
+      return "Left drag: rectangle, " + change_text(brush) +
+             (is_fine(model) ? " on finer faces" : "") + " · Shift: −1";
     case Tool::kLasso:
-      return "Left drag: lasso, " + change_text(brush) + " · Shift: −1";
+      return "Left drag: lasso, " + change_text(brush) + (is_fine(model) ? " on finer faces" : "") +
+             " · Shift: −1";
     case Tool::kPick:
       return "Click: pick the depth of this face";
     case Tool::kSplitEdge:
@@ -66,7 +75,9 @@ std::string drag_hint(const Model& model) {
   if (is_area(model.brush.tool)) {
     return "Release: paint these faces · Esc: give it up";
   }
-  return "Painting: each face changes once a stroke · Release: done · Esc: give it up";
+  return is_fine(model)
+             ? "Painting finer faces: each changes once, on release · Esc: give it up"
+             : "Painting: each face changes once a stroke · Release: done · Esc: give it up";
 }
 
 /// What the left button does with Shift or Ctrl held.
@@ -207,8 +218,13 @@ void draw_status_line(PanelContext& context, const WindowRect& place, const View
     right -= context.px(20);
   }
   if (const std::optional<HoverInfo>& hover = context.model.hover) {
-    const std::string face =
-        "Face " + grouped(hover->face) + ", depth " + std::to_string(hover->depth);
+    std::string face = "Face " + grouped(hover->face);
+    if (hover->fine) {
+      face += ", level " + std::to_string(hover->fine->level) + ", depth " +
+              std::to_string(hover->fine->depth);
+    } else {
+      face += ", depth " + std::to_string(hover->depth);
+    }
     const float left = right - width_of(face);
     if (left - context.px(20) > origin.x + pad + width_of(wanted)) {
       list.AddText({std::floor(left), y}, context.colours.dim_text, face.c_str());

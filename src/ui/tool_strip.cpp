@@ -26,7 +26,8 @@ constexpr std::array<Entry, 10> kTools{{{ActionId::kToolPaint, Icon::kRingPlus},
                                         {ActionId::kToolOrbit, Icon::kOrbit},
                                         {ActionId::kToolSplitEdge, Icon::kSplitEdge},
                                         {ActionId::kToolFlipEdge, Icon::kFlipEdge}}};
-constexpr std::array<Entry, 3> kOften{{{ActionId::kUndo, Icon::kUndo},
+constexpr std::array<Entry, 4> kOften{{{ActionId::kToggleFine, Icon::kFine},
+                                       {ActionId::kUndo, Icon::kUndo},
                                        {ActionId::kRedo, Icon::kRedo},
                                        {ActionId::kFrameAll, Icon::kFrame}}};
 

@@ -144,8 +144,12 @@ void remember(PanelContext& context, std::string_view name) {
 }
 
 void explain(PanelContext& context, const Action& action) {
-  explain(context, info(action.id).label, info(action.id).tooltip,
-          all_keys_text(context.model.keymap, action));
+  std::string text(info(action.id).tooltip);
+  if (const std::string_view why = why_unavailable(context.model, action); !why.empty()) {
+    text += '\n';
+    text += why;
+  }
+  explain(context, info(action.id).label, text, all_keys_text(context.model.keymap, action));
 }
 
 void explain(PanelContext& context, std::string_view title, std::string_view text,
@@ -267,15 +271,20 @@ void action_row(PanelContext& context, std::span<const Action> actions) {
 
 void action_toggle(PanelContext& context, const Action& action, float width) {
   const bool is_on = is_checked(context.model, action);
+  const bool is_enabled = is_available(context.model, action);
+  const float strength = is_enabled ? 1.0F : 0.45F;
   const float height = context.px(26);
+  ImGui::BeginDisabled(!is_enabled);
   const bool is_pressed = ImGui::InvisibleButton(widget_id(action).c_str(), {width, height});
+  ImGui::EndDisabled();
   const ThemeColours& c = context.colours;
   const ImVec2 low = ImGui::GetItemRectMin();
   const float side = context.px(16);
   const ImVec2 box{low.x, std::floor(low.y + (height - side) / 2.0F)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 off = ImGui::IsItemHovered() ? c.control_hovered : c.control;
-  list.AddRectFilled(box, {box.x + side, box.y + side}, is_on ? c.accent : off, context.px(4));
+  list.AddRectFilled(box, {box.x + side, box.y + side}, faded(is_on ? c.accent : off, strength),
+                     context.px(4));
   if (is_on) {
     const std::array<ImVec2, 3> tick{ImVec2{box.x + side * 0.24F, box.y + side * 0.52F},
                                      ImVec2{box.x + side * 0.43F, box.y + side * 0.71F},
@@ -286,7 +295,7 @@ void action_toggle(PanelContext& context, const Action& action, float width) {
   const std::string_view label = info(action.id).label;
   draw_text(
       {box.x + side + context.px(8), std::floor(low.y + (height - ImGui::GetFontSize()) / 2.0F)},
-      c.text, fit_text(label, width - side - context.px(8)));
+      faded(c.text, strength), fit_text(label, width - side - context.px(8)));
   explain(context, action);
   remember(context, label);
   if (is_pressed) {

@@ -72,6 +72,21 @@ const std::vector<Scene>& scenes() {
          desk.session().perform(kRaiseDihedral);
          desk.session().perform(kGrowPainting);
        }},
+      {"fine",
+       [](Desk& desk) {
+         desk.session().perform(kRaiseAll);
+         desk.session().perform({kToggleFine, true});
+         desk.session().perform({kSetBrushRadius, 20.0});
+         desk.session().finish_refinement();
+         for (int stroke = 0; stroke < 2; ++stroke) {
+           desk.drag({250.0, 330.0}, {330.0, 345.0});
+           desk.session().finish_refinement();
+           desk.draw_frame();
+         }
+         desk.press({240.0, 400.0});
+         desk.point_at(ui::WindowPoint{300.0, 400.0});
+         desk.point_at(ui::WindowPoint{350.0, 390.0});
+       }},
       {"auto_depth",
        [](Desk& desk) {
          fold_all(desk, &ui::PanelLayout::auto_depth_open);
@@ -173,6 +188,7 @@ std::string keys_of(const std::string& word) {
       {"kToolRectangle", kToolRectangle},
       {"kToolLasso", kToolLasso},
       {"kTogglePaintThrough", kTogglePaintThrough},
+      {"kToggleFine", kToggleFine},
       {"kToggleMirrorX", kToggleMirrorX},
       {"kToggleMirrorY", kToggleMirrorY},
       {"kToggleMirrorZ", kToggleMirrorZ},

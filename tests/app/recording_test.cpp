@@ -281,6 +281,36 @@ TEST_F(RecordingTest, WhatWasDoneIsDoneAgain) {
   EXPECT_GE(played->report.pictures, 1u);
 }
 
+TEST_F(RecordingTest, FineStrokesAreDoneAgain) {
+  std::mt19937 random(9);
+  const auto somewhere = [&] {
+    return ui::WindowPoint{160.0 + static_cast<double>(random() % 180),
+                           200.0 + static_cast<double>(random() % 180)};
+  };
+  turn({.dropped_files = {mesh_}});
+  turns_until_rest();
+  for (int level = 0; level < 4; ++level) {
+    key(ui::Key::kA);
+  }
+  key(ui::Key::kY);
+  turns_until_rest();
+  for (int i = 0; i < 8; ++i) {
+    drag(ui::MouseButton::kLeft, somewhere(), somewhere(), {.shift = i % 4 == 3});
+    if (i % 3 == 2) {
+      turns_until_rest();  // The other strokes begin while the mesh is refined.
+    }
+  }
+  turns_until_rest();
+  EXPECT_GT(session().document().demands.size(), 20u);
+  const Recording recording = finish();
+
+  IgnoreProgress ignore;
+  const auto played = play_headless(recording, {}, ignore);
+  ASSERT_TRUE(played) << to_string(played.error());
+  EXPECT_THAT(played->report.differences, IsEmpty());
+  EXPECT_EQ(checksum_of(played->document), document_);
+}
+
 TEST_F(RecordingTest, FilesAreReadFromTheRecordingAndNoneIsWritten) {
   turn({.dropped_files = {mesh_}});
   turns_until_rest();

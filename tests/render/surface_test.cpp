@@ -3,6 +3,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "limn/progress.h"
+#include "limn/subdivision/label_subdivision.h"
+#include "render/surface/face_order.h"
 #include "render/surface/surface.h"
 #include "support/shapes.h"
 
@@ -99,6 +102,34 @@ TEST(Surface, RefinedPositionsLoseNothingFarFromTheWorldsOrigin) {
   EXPECT_TRUE(std::ranges::equal(same.positions, mesh.positions));
   const Surface beside = make_surface(mesh, mesh.origin + glm::dvec3(1, 0, -2), 5);
   EXPECT_EQ(beside.positions[0], glm::vec3(glm::dvec3(mesh.positions[0]) - glm::dvec3(1, 0, -2)));
+}
+
+TEST(Surface, RefinedFacesAreFoundBothWays) {
+  test::Random random(3);
+  const auto control = test::control_mesh(test::with_mixed_faces(test::grid_soup(8, 8), random));
+  SubdivisionSettings settings;
+  settings.non_quads = NonQuadRule::kWherePainted;
+  std::vector<std::uint8_t> depths(control->face_count(), 0);
+  depths[0] = 1;
+  IgnoreProgress progress;
+  const auto labels = legal_labels(*control, depths, settings, progress);
+  const RefinedMesh mesh = refine(*control, labels->labels, settings, {}, progress).value();
+  ASSERT_GT(mesh.polygon_count(), 1U) << "some faces stay as they are";
+  ASSERT_LT(mesh.face_count(), 256U);
+  const Surface surface = make_surface(mesh, {}, control->face_count());
+  std::vector<std::uint8_t> numbers(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    numbers[f] = static_cast<std::uint8_t>(f);
+    const std::vector<std::uint32_t> drawn = drawn_faces(surface, mesh, {&f, 1});
+    ASSERT_EQ(drawn.size(), 1U);
+    EXPECT_EQ(surface.face_control_faces[drawn[0]], mesh.face_control_faces[f]);
+    EXPECT_EQ(surface.face_levels[drawn[0]], mesh.face_levels[f]);
+    EXPECT_THAT(refined_faces(surface, mesh, drawn), ElementsAre(f));
+  }
+  const std::vector<std::uint8_t> in_order = in_drawn_order(surface, mesh, numbers);
+  for (std::uint32_t d = 0; d < in_order.size(); ++d) {
+    EXPECT_THAT(refined_faces(surface, mesh, {&d, 1}), ElementsAre(in_order[d]));
+  }
 }
 
 TEST(Surface, EmptyRefinedMeshIsAnEmptySurface) {

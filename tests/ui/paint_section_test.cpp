@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ui/availability.h"
 #include "ui/screen.h"
 
 namespace limn::ui {
@@ -73,6 +74,25 @@ TEST(PaintSection, WhatNeedsAPaintingIsDimmedWithoutOne) {
   EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kMirrorPainting)));
 }
 
+TEST(PaintSection, SaysWhyFineIsNotToBeHad) {
+  Screen screen;
+  screen.model.brush.is_fine = true;
+  screen.model.depth_counts = {3, 3};
+  EXPECT_EQ(why_not_fine(screen.model), "");
+  screen.settle();
+  screen.click("Fine");
+  EXPECT_THAT(screen.take_actions(), ElementsAre(Action(ActionId::kToggleFine, false)));
+  screen.document.settings.scheme = RefinementScheme::kLoop;
+  screen.settle();
+  screen.click("Fine");
+  EXPECT_THAT(screen.take_actions(), IsEmpty());
+  EXPECT_FALSE(is_available(screen.model, ActionId::kClearFine));
+  EXPECT_THAT(std::string(why_not_fine(screen.model)), testing::HasSubstr("Loop's scheme"));
+  screen.document.settings.scheme = RefinementScheme::kCatmullClark;
+  screen.document.demands = FineDemands(std::vector<FineDemand>{{{0, 0, 1, 0, 0}, 2}});
+  EXPECT_TRUE(is_available(screen.model, ActionId::kClearFine));
+}
+
 TEST(ToolStrip, AllToolsFitAboveEachOtherInALowWindow) {
   for (const WindowSize size : {WindowSize{800, 600}, WindowSize{1280, 800}}) {
     Screen screen(size);
@@ -88,7 +108,7 @@ TEST(ToolStrip, AllToolsFitAboveEachOtherInALowWindow) {
         ++tools;
       }
     }
-    EXPECT_EQ(tools, 14U);
+    EXPECT_EQ(tools, 15U);
   }
 }
 

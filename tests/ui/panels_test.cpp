@@ -391,6 +391,7 @@ TEST(Panels, EveryActionIsReachable) {
   }
   for (const auto& [menu, sub_menu] :
        {std::pair("menu: Mesh", "menu: Painted faces"),
+        std::pair("menu: Edit", "menu: Whole painting"),
         std::pair("menu: Mesh", "menu: Illegal vertices"),
         std::pair("menu: Mesh", "menu: Faces that are not quads"),
         std::pair("menu: Mesh", "menu: Boundary corners"),

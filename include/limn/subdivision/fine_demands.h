@@ -46,6 +46,7 @@ struct DemandEdits {
   std::vector<FineDemand> added;
 
   [[nodiscard]] bool empty() const noexcept { return removed.empty() && added.empty(); }
+  [[nodiscard]] bool operator==(const DemandEdits&) const = default;
 };
 
 /// What is asked of faces finer than control faces. The depth asked of a place is the greatest of
@@ -64,7 +65,7 @@ class FineDemands {
   [[nodiscard]] bool operator==(const FineDemands&) const = default;
 
   /// Asks for at least so much. Demands that are none, of a depth up to their face's level, are
-  /// left out. In n log n of all demands.
+  /// left out. In n log n of the new ones, linear in all.
   void raise(std::span<const FineDemand> demands);
   /// Asks for at most so much within a face: a demand on more than that stays for the rest, as
   /// demands on the faces beside. A depth up to the face's level leaves nothing asked for there.
@@ -79,6 +80,7 @@ class FineDemands {
 
  private:
   void put_in_order();
+  void drop_covered();
   void exchange(std::span<const FineDemand> removed, std::span<const FineDemand> added);
 
   std::vector<FineDemand> demands_;

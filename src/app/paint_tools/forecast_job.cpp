@@ -108,9 +108,10 @@ void ForecastJob::work(const std::stop_token& stop) {
 }
 
 std::optional<std::int64_t> ForecastJob::answer(const Question& question, Watch& watch) {
-  const auto faces_of = [&](const FaceDepths& depths) -> std::optional<std::uint64_t> {
-    const auto labels = derive_labels(*question.control, depths.values(), question.settings, watch,
-                                      question.demands);
+  const auto faces_of = [&](const FaceDepths& depths,
+                            const FineDemands& demands) -> std::optional<std::uint64_t> {
+    const auto labels =
+        derive_labels(*question.control, depths.values(), question.settings, watch, demands);
     if (!labels) {
       return std::nullopt;
     }
@@ -119,17 +120,19 @@ std::optional<std::int64_t> ForecastJob::answer(const Question& question, Watch&
   if (known_.control != question.control || known_.depths != question.depths ||
       known_.settings != question.settings || known_.levels != question.levels ||
       known_.demands != question.demands) {
-    const auto faces = faces_of(question.depths);
+    const auto faces = faces_of(question.depths, question.demands);
     if (!faces) {
       return std::nullopt;
     }
-    known_ = {question.control,  question.depths, {},
-              question.settings, question.levels, question.demands};
+    known_ = {question.control, question.depths,  {}, question.settings,
+              question.levels,  question.demands, {}};
     known_faces_ = *faces;
   }
   FaceDepths changed = question.depths;
   apply_edits(changed, question.edits);
-  const auto faces = faces_of(changed);
+  FineDemands demands = question.demands;
+  demands.apply(question.demand_edits);
+  const auto faces = faces_of(changed, demands);
   // Counts stop at 2^64 - 1; beyond 2^63 there is nothing that anyone would draw.
   constexpr auto kMost = static_cast<std::uint64_t>(INT64_MAX);
   if (!faces || *faces > kMost || known_faces_ > kMost) {

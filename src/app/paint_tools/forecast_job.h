@@ -28,8 +28,9 @@ class ForecastJob {
     FaceDepths depths;             ///< As they are,
     std::vector<DepthEdit> edits;  ///< and what would change.
     SubdivisionSettings settings;
-    int levels = kAllLevels;  ///< That the refined mesh is shown to.
-    FineDemands demands{};
+    int levels = kAllLevels;     ///< That the refined mesh is shown to.
+    FineDemands demands{};       ///< As they are,
+    DemandEdits demand_edits{};  ///< and what would change.
 
     [[nodiscard]] bool operator==(const Question&) const = default;
   };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/session.h"
 #include "app/viewport_frame.h"
@@ -17,6 +18,10 @@ constexpr double kLeastArea = 3.0;  // Window units: below, a drag is a click.
 
 double brush_radius(const ViewportFrame& frame) {
   return frame.session.brush().radius * frame.place.density();
+}
+
+Reach reach_of(const ViewportFrame& frame) {
+  return frame.session.brush().goes_through ? Reach::kThrough : Reach::kVisible;
 }
 
 /// Whether a press paints a straight line from where the last stroke ended.
@@ -74,9 +79,10 @@ void PaintTools::press(const ViewportFrame& frame, render::FramebufferPoint at) 
     return;
   }
   change_ = change_of(frame);
+  is_fine_ = session.paints_fine();
   if (ui::is_area(tool)) {
     gesture_ = Gesture::kArea;
-    session.begin_stroke(change_, name_of(tool));
+    begin_stroke(frame, name_of(tool));
     area_tool_ = tool;
     area_.clear();
     add_to_area(frame, at);
@@ -90,9 +96,24 @@ void PaintTools::press(const ViewportFrame& frame, render::FramebufferPoint at) 
   } else {
     gesture_ = Gesture::kStroke;
     const auto start = draws_line(frame) ? line_start(frame) : std::nullopt;
-    session.begin_stroke(change_);
-    session.touch(
-        faces_in(frame, render::BrushCapsule{start.value_or(at), at, brush_radius(frame)}));
+    begin_stroke(frame, name_of(tool));
+    touch(frame, render::BrushCapsule{start.value_or(at), at, brush_radius(frame)});
+  }
+}
+
+void PaintTools::begin_stroke(const ViewportFrame& frame, const char* name) {
+  if (is_fine_) {
+    frame.session.begin_fine_stroke(change_, name);
+  } else {
+    frame.session.begin_stroke(change_, name);
+  }
+}
+
+void PaintTools::touch(const ViewportFrame& frame, const render::ScreenRegion& region) const {
+  if (is_fine_) {
+    frame.session.touch(frame.picker.shown_faces_in(region, reach_of(frame)));
+  } else {
+    frame.session.touch(faces_in(frame, region));
   }
 }
 
@@ -100,7 +121,7 @@ void PaintTools::move(const ViewportFrame& frame, render::FramebufferPoint from,
                       render::FramebufferPoint to) {
   switch (gesture_) {
     case Gesture::kStroke:
-      frame.session.touch(faces_in(frame, render::BrushCapsule{from, to, brush_radius(frame)}));
+      touch(frame, render::BrushCapsule{from, to, brush_radius(frame)});
       break;
     case Gesture::kArea:
       add_to_area(frame, to);
@@ -118,7 +139,7 @@ void PaintTools::release(const ViewportFrame& frame, render::FramebufferPoint at
   Session& session = frame.session;
   if (gesture_ == Gesture::kArea) {
     if (frame.input.button) {
-      session.touch(faces_in(frame, area(frame)));
+      touch(frame, area(frame));
       session.end_stroke();
     } else {
       session.give_up_stroke();
@@ -174,8 +195,7 @@ render::ScreenRegion PaintTools::area(const ViewportFrame& frame) const {
 
 std::vector<std::uint32_t> PaintTools::faces_in(const ViewportFrame& frame,
                                                 const render::ScreenRegion& region) const {
-  return frame.picker.faces_in(
-      region, frame.session.brush().goes_through ? Reach::kThrough : Reach::kVisible);
+  return frame.picker.faces_in(region, reach_of(frame));
 }
 
 std::optional<render::FramebufferPoint> PaintTools::line_start(const ViewportFrame& frame) const {
@@ -216,20 +236,24 @@ void PaintTools::hover(const ViewportFrame& frame, render::FramebufferPoint at) 
   Session& session = frame.session;
   const ui::Tool tool = session.brush().tool;
   const bool is_idle = gesture_ == Gesture::kNone;
+  const bool is_fine = is_idle ? session.paints_fine() : is_fine_;
   ring_.reset();
   if (is_idle) {
     outline_ = {};
   }
+  std::optional<render::ScreenRegion> region;
   std::vector<std::uint32_t> faces;
   if (gesture_ == Gesture::kArea) {
-    faces = faces_in(frame, area(frame));
+    region = area(frame);
   } else if (ui::is_brush(tool)) {
     ring_ = BrushRing{at, brush_radius(frame)};
     const auto start = is_idle && draws_line(frame) ? line_start(frame) : std::nullopt;
     if (start) {
       outline_ = {{*start, at}, false};
     }
-    faces = faces_in(frame, render::BrushCapsule{start.value_or(at), at, ring_->radius});
+    region = render::BrushCapsule{start.value_or(at), at, ring_->radius};
+  } else if (ui::is_area(tool) && is_fine) {
+    region = render::BrushCapsule{at, at, 0.0};
   } else if (ui::is_painting(tool)) {
     const auto face = frame.pick(at);
     if (face && ui::is_fill(tool)) {
@@ -238,17 +262,47 @@ void PaintTools::hover(const ViewportFrame& frame, render::FramebufferPoint at) 
       faces = {face->control_face};
     }
   }
+  const bool proposes = ui::is_painting(tool) && (is_idle || gesture_ == Gesture::kArea);
+  const DepthChange change = is_idle ? change_of(frame) : change_;
+  if (region && is_fine) {
+    light(frame, *region, proposes ? std::optional(change) : std::nullopt);
+    return;
+  }
+  lit_.reset();
+  if (region) {
+    faces = faces_in(frame, *region);
+  }
   highlighted_ = session.with_images(faces);
-  if (ui::is_painting(tool) && (is_idle || gesture_ == Gesture::kArea) && !faces.empty()) {
-    session.propose(highlighted_, is_idle ? change_of(frame) : change_);
+  if (proposes && !faces.empty()) {
+    session.propose(highlighted_, change);
   } else {
     session.withdraw_proposal();
   }
 }
 
+void PaintTools::light(const ViewportFrame& frame, const render::ScreenRegion& region,
+                       std::optional<DepthChange> proposed) {
+  Session& session = frame.session;
+  ShownFaces under = frame.picker.shown_faces_in(region, reach_of(frame));
+  if (proposed && !under.faces.empty()) {
+    session.propose(under, *proposed);
+  } else {
+    session.withdraw_proposal();
+  }
+  highlighted_.clear();
+  const ShownFaces* touched = session.touched();
+  if (touched != nullptr && touched->refined == under.refined) {
+    std::vector<std::uint32_t> all;
+    std::ranges::set_union(touched->faces, under.faces, std::back_inserter(all));
+    under.faces = std::move(all);
+  }
+  lit_ = session.with_images(under);
+}
+
 void PaintTools::leave(Session& session) {
   ring_.reset();
   highlighted_.clear();
+  lit_.reset();
   session.withdraw_proposal();
   if (gesture_ == Gesture::kNone) {
     outline_ = {};

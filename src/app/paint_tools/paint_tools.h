@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "app/paint_tools/shown_faces.h"
 #include "limn/mesh/control_mesh.h"
 #include "limn/painting/depth_change.h"
 #include "render/coordinates.h"
@@ -61,6 +62,8 @@ class PaintTools {
   [[nodiscard]] const std::optional<BrushRing>& ring() const noexcept { return ring_; }
   [[nodiscard]] const Outline& outline() const noexcept { return outline_; }
   [[nodiscard]] std::span<const std::uint32_t> highlighted() const noexcept { return highlighted_; }
+  /// What lights up instead where one paints on faces of the refined mesh; null otherwise.
+  [[nodiscard]] const ShownFaces* lit() const noexcept { return lit_ ? &*lit_ : nullptr; }
 
  private:
   enum class Gesture : std::uint8_t { kNone, kStroke, kFill, kArea, kPick };
@@ -69,6 +72,12 @@ class PaintTools {
   [[nodiscard]] render::ScreenRegion area(const ViewportFrame& frame) const;
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const ViewportFrame& frame,
                                                     const render::ScreenRegion& region) const;
+  /// Begins the session's stroke, on control faces or on those of the refined mesh.
+  void begin_stroke(const ViewportFrame& frame, const char* name);
+  void touch(const ViewportFrame& frame, const render::ScreenRegion& region) const;
+  /// Lights up faces of the refined mesh in a region, and asks what it would cost to paint them.
+  void light(const ViewportFrame& frame, const render::ScreenRegion& region,
+             std::optional<DepthChange> proposed);
   /// Where a straight line to the cursor would begin.
   [[nodiscard]] std::optional<render::FramebufferPoint> line_start(
       const ViewportFrame& frame) const;
@@ -79,11 +88,13 @@ class PaintTools {
 
   Gesture gesture_ = Gesture::kNone;
   DepthChange change_;                          ///< Of the gesture.
+  bool is_fine_ = false;                        ///< Likewise.
   ui::Tool area_tool_ = ui::Tool::kRectangle;   ///< Likewise.
   std::vector<render::FramebufferPoint> area_;  ///< Opposite corners, or the lasso's way.
   std::optional<BrushRing> ring_;
   Outline outline_;
   std::vector<std::uint32_t> highlighted_;
+  std::optional<ShownFaces> lit_;
 
   /// Where the last stroke ended, on a mesh that is still open.
   struct StrokeEnd {

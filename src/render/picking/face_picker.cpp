@@ -111,19 +111,16 @@ std::optional<PickedFace> FacePicker::pick(const PickScene& scene, FramebufferPo
   return picked;
 }
 
-std::vector<std::uint32_t> FacePicker::faces_in(const PickScene& scene,
-                                                const ScreenRegion& region) {
-  std::vector<std::uint32_t> met;
+void FacePicker::gather_drawn(const PickScene& scene, const ScreenRegion& region) {
+  drawn_.clear();
   const PixelRect covered = region.pixel_rect(scene.camera.size);
   if (covered.is_empty() || !update(scene)) {
-    return met;
+    return;
   }
   // One pixel more all around: whether a pixel counts depends on its neighbours.
   const PixelRect rect = grown(covered, scene.camera.size);
   pixels_.resize(rect.area());
   image_.read(rect, pixels_);
-
-  drawn_.clear();
   for (int y = covered.y; y < covered.y + covered.height; ++y) {
     const int row = y - rect.y;
     const std::uint32_t* ids =
@@ -142,6 +139,24 @@ std::vector<std::uint32_t> FacePicker::faces_in(const PickScene& scene,
         drawn_.push_back(drawn_face_of(id));
       }
     }
+  }
+}
+
+std::vector<std::uint32_t> FacePicker::drawn_faces_in(const PickScene& scene,
+                                                      const ScreenRegion& region) {
+  gather_drawn(scene, region);
+  std::vector<std::uint32_t> met = drawn_;
+  std::ranges::sort(met);
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  return met;
+}
+
+std::vector<std::uint32_t> FacePicker::faces_in(const PickScene& scene,
+                                                const ScreenRegion& region) {
+  std::vector<std::uint32_t> met;
+  gather_drawn(scene, region);
+  if (drawn_.empty()) {
+    return met;
   }
   look_up_control_faces(scene.surface);
   if (last_met_.size() != scene.surface.control_face_count() || ++question_count_ == 0) {

@@ -46,6 +46,9 @@ class FacePicker {
   /// time proportional to its pixels.
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const PickScene& scene,
                                                     const ScreenRegion& region);
+  /// The drawn faces themselves, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> drawn_faces_in(const PickScene& scene,
+                                                          const ScreenRegion& region);
   /// Those under a brush.
   [[nodiscard]] std::vector<std::uint32_t> brush(const PickScene& scene,
                                                  const BrushCapsule& capsule) {
@@ -74,6 +77,8 @@ class FacePicker {
 
   /// Brings the image up to date. False where there is nothing to see.
   [[nodiscard]] bool update(const PickScene& scene);
+  /// Replaces `drawn_` by the faces that are seen in the region, those of many pixels many times.
+  void gather_drawn(const PickScene& scene, const ScreenRegion& region);
   /// Replaces `controls_` by the control faces of `drawn_`.
   void look_up_control_faces(const SurfaceBuffers& surface);
 

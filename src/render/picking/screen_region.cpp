@@ -95,7 +95,7 @@ bool capsule_meets(const BrushCapsule& capsule, std::span<const glm::dvec2> face
 }
 
 /// A whole number, kept within what an int holds.
-int to_int(double value) {
+int to_pixel(double value) {
   return static_cast<int>(std::clamp(value, -1e9, 1e9));
 }
 
@@ -206,10 +206,10 @@ bool ScreenRegion::meets(std::span<const glm::dvec2> face) const {
 
 PixelRect ScreenRegion::pixel_rect(FramebufferSize size) const {
   PixelRect rect;
-  rect.x = std::max(to_int(std::floor(box_.low.x)), 0);
-  rect.y = std::max(to_int(std::floor(box_.low.y)), 0);
-  rect.width = std::max(std::min(to_int(std::ceil(box_.high.x)), size.width) - rect.x, 0);
-  rect.height = std::max(std::min(to_int(std::ceil(box_.high.y)), size.height) - rect.y, 0);
+  rect.x = std::max(to_pixel(std::floor(box_.low.x)), 0);
+  rect.y = std::max(to_pixel(std::floor(box_.low.y)), 0);
+  rect.width = std::max(std::min(to_pixel(std::ceil(box_.high.x)), size.width) - rect.x, 0);
+  rect.height = std::max(std::min(to_pixel(std::ceil(box_.high.y)), size.height) - rect.y, 0);
   return rect;
 }
 
@@ -243,7 +243,7 @@ void ScreenRegion::covered_spans(int row, std::vector<PixelSpan>& spans) const {
     }
     turns += turn;
     if (turns == 0) {
-      const PixelSpan span{to_int(std::ceil(from - 0.5)), to_int(std::ceil(x - 0.5))};
+      const PixelSpan span{to_pixel(std::ceil(from - 0.5)), to_pixel(std::ceil(x - 0.5))};
       if (span.first >= span.last) {
         continue;
       }

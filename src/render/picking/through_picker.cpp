@@ -153,4 +153,12 @@ std::vector<std::uint32_t> ThroughPicker::faces_in(const std::shared_ptr<const R
                 [&](std::size_t face) { return mesh->face_control_faces[face]; });
 }
 
+std::vector<std::uint32_t> ThroughPicker::refined_faces_in(
+    const std::shared_ptr<const RefinedMesh>& mesh, const Camera& camera,
+    const ScreenRegion& region) {
+  project_all(mesh, camera);
+  return gather(*mesh, mesh->face_count(), camera, region,
+                [](std::size_t face) { return static_cast<std::uint32_t>(face); });
+}
+
 }  // namespace limn::render

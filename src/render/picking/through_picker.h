@@ -30,6 +30,10 @@ class ThroughPicker {
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const std::shared_ptr<const RefinedMesh>& mesh,
                                                     std::size_t control_faces, const Camera& camera,
                                                     const ScreenRegion& region);
+  /// The refined faces themselves, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> refined_faces_in(
+      const std::shared_ptr<const RefinedMesh>& mesh, const Camera& camera,
+      const ScreenRegion& region);
 
  private:
   /// Low and high corner on the screen; empty (low over high) where nothing can show.

@@ -33,8 +33,10 @@ struct Surface {
                                        ///< has them, else area-weighted over the faces around.
   std::vector<std::uint32_t> corners;  ///< C, vertices of each drawn face in order.
   std::vector<SurfaceGroup> groups;    ///< By ascending number of sides.
-  std::vector<std::uint32_t> face_control_faces;    ///< F, the control face each lies in.
-  std::vector<std::uint8_t> face_levels;            ///< F, the level it was made at, 0..15.
+  std::vector<std::uint32_t> face_control_faces;  ///< F, the control face each lies in.
+  std::vector<std::uint8_t> face_levels;          ///< F, the level it was made at, 0..15.
+  /// F, the depth demanded of each beyond its control face's, 0 for none; empty where nothing is.
+  std::vector<std::uint8_t> face_demands;
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< Control surfaces only: every edge once.
   std::size_t control_face_count = 0;
 

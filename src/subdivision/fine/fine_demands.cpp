@@ -46,16 +46,25 @@ bool is_demand_on(const ControlMesh& mesh, const FineDemand& demand) {
 }
 
 void FineDemands::raise(std::span<const FineDemand> demands) {
+  const auto before = static_cast<std::ptrdiff_t>(demands_.size());
   demands_.insert(demands_.end(), demands.begin(), demands.end());
-  put_in_order();
+  std::sort(demands_.begin() + before, demands_.end(), kWholeOrder);
+  std::inplace_merge(demands_.begin(), demands_.begin() + before, demands_.end(), kWholeOrder);
+  drop_covered();
 }
 
 void FineDemands::put_in_order() {
-  std::erase_if(demands_, [](const FineDemand& demand) { return !is_some(demand); });
   std::ranges::sort(demands_, kWholeOrder);
+  drop_covered();
+}
+
+void FineDemands::drop_covered() {
   std::vector<FineDemand> around;  // Those that the last one lies in, and itself.
   std::size_t kept = 0;
   for (const FineDemand& demand : demands_) {
+    if (!is_some(demand)) {
+      continue;
+    }
     while (!around.empty() && !lies_in(demand.face, around.back().face)) {
       around.pop_back();
     }
