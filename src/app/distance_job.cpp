@@ -2,16 +2,28 @@
 
 #include <utility>
 
+#include "limn/document/measured_refinement.h"
+
 namespace limn::app {
 namespace {
 
 Result<std::shared_ptr<const LimitDistance>> measure(const DistanceJob::Question& question,
                                                      Progress& progress) {
+  const auto keep = [](LimitDistance distance) {
+    return std::make_shared<const LimitDistance>(std::move(distance));
+  };
+  if (question.mesh == nullptr) {
+    Document unpainted;
+    unpainted.control = question.control;
+    unpainted.settings = question.settings;
+    DerivedLabels labels;
+    labels.legal.labels.resize(question.control->vertex_count(), 0);
+    return measure_refinement(unpainted, labels, 0, nullptr, progress)
+        .map([&](MeasuredRefinement measured) { return keep(std::move(measured.distance)); });
+  }
   return measure_limit_distance(*question.control, labels_up_to(*question.labels, question.levels),
                                 question.settings, *question.mesh, progress)
-      .map([](LimitDistance distance) {
-        return std::make_shared<const LimitDistance>(std::move(distance));
-      });
+      .map(keep);
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ class DistanceJob {
   explicit DistanceJob(std::function<void()> wake, Arrivals* arrivals = nullptr)
       : job_("distance", std::move(wake), arrivals) {}
 
-  /// What is measured: a refinement of what is painted, to so many levels.
+  /// What is measured: a refinement of what is painted, to so many levels, or the control mesh.
   struct Question {
     std::shared_ptr<const ControlMesh> control;
-    std::shared_ptr<const DerivedLabels> labels;
+    std::shared_ptr<const DerivedLabels> labels;  ///< Null, as the next, for the control mesh.
     std::shared_ptr<const RefinedMesh> mesh;
     SubdivisionSettings settings;
     int levels = 0;
@@ -52,6 +52,11 @@ class DistanceJob {
   /// Of the faces of `mesh`; null where they are not known.
   [[nodiscard]] const LimitDistance* distance(const RefinedMesh* mesh) const noexcept {
     return mesh != nullptr && question_.mesh.get() == mesh ? answer_.distance.get() : nullptr;
+  }
+  /// Of the faces of the control mesh itself.
+  [[nodiscard]] const LimitDistance* distance(const ControlMesh* control) const noexcept {
+    return question_.mesh == nullptr && question_.control.get() == control ? answer_.distance.get()
+                                                                           : nullptr;
   }
   /// Counts up with every answer.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }

@@ -13,18 +13,28 @@ bool Session::perform_measurement(const ui::Action& action) {
   if (auto question = distance_question()) {
     distance_.start(*std::move(question));
   } else {
-    toast(ui::Toast::Kind::kNote, "Paint for a refined mesh first: that is what is measured.");
+    toast(
+        ui::Toast::Kind::kNote,
+        "Only the control mesh and what Catmull-Clark makes of it have a limit surface to measure "
+        "from here.");
   }
   return true;
 }
 
 std::optional<DistanceJob::Question> Session::distance_question() const {
-  const JobResult* refined = refinement_.refined();
-  if (!shows_refined() || refined->refinement == nullptr ||
-      refined->mesh->face_control_faces.empty() || !refined->labels->face_depths.empty()) {
-    return std::nullopt;  // Nothing, or made by another scheme.
-  }
   SubdivisionSettings settings = document_.settings;
+  if (!shows_refined()) {
+    if (document_.scheme || settings.scheme != RefinementScheme::kCatmullClark) {
+      return std::nullopt;
+    }
+    settings.points = SurfacePoints::kLevel;  // Its vertices are where they are.
+    return DistanceJob::Question{document_.control, nullptr, nullptr, settings, 0};
+  }
+  const JobResult* refined = refinement_.refined();
+  if (refined->refinement == nullptr || refined->mesh->face_control_faces.empty() ||
+      !refined->labels->face_depths.empty()) {
+    return std::nullopt;  // Made by another scheme.
+  }
   settings.scheme = RefinementScheme::kCatmullClark;
   settings.corners = refined->mesh->corner_rule.value_or(settings.corners);
   return DistanceJob::Question{refined->control, refined->labels, refined->mesh, settings,

@@ -184,22 +184,30 @@ void ViewportScene::sync_numbers(const ui::DisplaySettings& display,
   }
 }
 
+ViewportScene::Distances::Source ViewportScene::distance_source(const Session& session) const {
+  return {session.distance().revision(), refined_.revision.value_or(0),
+          session.document().revisions.control, refined_.is_there && session.shows_refined()};
+}
+
 void ViewportScene::sync_distances(const Session& session) {
   const DistanceJob& job = session.distance();
-  if (session.display().tint != ui::Tint::kDistance ||
-      (distances_.revision == job.revision() && distances_.refined == *refined_.revision)) {
+  const Distances::Source source = distance_source(session);
+  if (session.display().tint != ui::Tint::kDistance || distances_.source == source) {
     return;
   }
-  distances_.revision = job.revision();
-  distances_.refined = *refined_.revision;
+  distances_.source = source;
   distances_.are_there = false;
   ++content_;
-  if (refined_.is_there) {
-    const RefinedMesh* mesh = session.refinement().refined()->mesh.get();
-    if (const LimitDistance* distance = job.distance(mesh); distance != nullptr) {
-      distances_.faces.upload(*mesh, distance->of_faces, distance->greatest());
+  const auto upload = [&](const auto& mesh) {
+    if (const LimitDistance* distance = job.distance(&mesh); distance != nullptr) {
+      distances_.faces.upload(mesh, distance->of_faces, distance->greatest());
       distances_.are_there = true;
     }
+  };
+  if (source.is_of_refined) {
+    upload(*session.refinement().refined()->mesh);
+  } else {
+    upload(*session.document().control);
   }
 }
 
@@ -342,7 +350,7 @@ void ViewportScene::draw(const Session& session, render::FramebufferSize size,
   }
   target_.resize({size.width, size.height});
   render::Scene scene = scene_of(session, shows_refined ? &refined_ : nullptr, valences_);
-  if (shows_refined && distances_.are_there && distances_.refined == refined_.revision) {
+  if (distances_.are_there && distances_.source == distance_source(session)) {
     scene.distances = &distances_.faces;
   }
   scene.lit = wanted.lit ? &refined_.lit : nullptr;

@@ -117,13 +117,22 @@ class ViewportScene {
     bool is_there = false;
     bool has_numbered = false;  ///< `numbered` is of what is there.
   };
-  /// How far the faces of the refined mesh are from the limit surface.
+  /// How far the faces of the mesh shown are from the limit surface.
   struct Distances {
+    /// Revisions of the job and of either mesh, and for which of the two they are.
+    struct Source {
+      std::uint64_t job = 0;
+      std::uint64_t refined = 0;
+      std::uint64_t control = 0;
+      bool is_of_refined = false;
+
+      [[nodiscard]] bool operator==(const Source&) const = default;
+    };
     render::FaceDistances faces;
-    std::uint64_t revision = 0;  ///< Of the job, and of the mesh
-    std::uint64_t refined = 0;   ///< that they are for.
+    Source source;
     bool are_there = false;
   };
+  [[nodiscard]] Distances::Source distance_source(const Session& session) const;
   /// Irregular vertices of what is shown.
   struct Dots {
     render::MarkerBuffers markers;

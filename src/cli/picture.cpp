@@ -124,9 +124,11 @@ Result<render::Image> draw_document(const Document& document, Derived& derived,
   }
 
   render::FaceDistances distances;
-  if (settings.distance != nullptr && draws_refined) {
-    distances.upload(*derived.refinement->mesh, settings.distance->of_faces,
-                     settings.distance->greatest());
+  if (settings.distance != nullptr) {
+    const auto upload = [&](const auto& mesh) {
+      distances.upload(mesh, settings.distance->of_faces, settings.distance->greatest());
+    };
+    draws_refined ? upload(*derived.refinement->mesh) : upload(*document.control);
   }
 
   render::Scene scene;

@@ -23,7 +23,7 @@ struct PictureSettings {
   bool has_illegal = false;  ///< Illegal faces hatched, their vertices as dots.
   bool has_creases = true;   ///< Sharp edges and vertices, coloured by sharpness.
   bool has_legend = false;
-  /// Of the refinement in `derived`, for FaceColour::kDistance.
+  /// Of the mesh that is drawn, for FaceColour::kDistance.
   std::shared_ptr<const LimitDistance> distance;
   /// Refine on the GPU what is shown, as far as this; nothing: show what `derived` has refined.
   std::optional<GpuReach> on_gpu;

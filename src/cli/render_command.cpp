@@ -16,6 +16,7 @@
 #include "cli/report.h"
 #include "cli/scheme_options.h"
 #include "cli/view_options.h"
+#include "limn/document/measured_refinement.h"
 #include "limn/subdivision/schemes/uniform.h"
 #include "render/png.h"
 
@@ -43,16 +44,20 @@ struct Drawable {
   nlohmann::ordered_json report;
 };
 
-/// How far it is from the limit surface.
+/// How far what is drawn is from the limit surface: the refinement, or the control mesh where there
+/// is none.
 Result<LimitDistance> measure_drawn(const Document& document, const Derived& derived, int levels) {
-  if (!derived.refinement) {
-    return fail(ErrorKind::kUsage,
-                "Nothing is refined that could be coloured by its distance from the limit surface; "
-                "give --paint.");
-  }
   TerminalProgress progress;
-  return measure_limit_distance(*document.control, labels_up_to(derived.labels, levels),
-                                document.settings, *derived.refinement->mesh, progress);
+  if (derived.refinement) {
+    return measure_limit_distance(*document.control, labels_up_to(derived.labels, levels),
+                                  document.settings, *derived.refinement->mesh, progress);
+  }
+  Document control;
+  control.control = document.control;
+  control.settings = document.settings;
+  control.settings.points = SurfacePoints::kLevel;
+  return measure_refinement(control, derived.labels, 0, nullptr, progress)
+      .map([](MeasuredRefinement measured) { return std::move(measured.distance); });
 }
 
 /// The painting, refined.
@@ -247,10 +252,10 @@ void add_render_command(CLI::App& program, Work& work) {
   command->callback([options, &work] {
     check_scheme_options(options->scheme);
     if (options->picture.draw.colour == Colour::kDistance &&
-        (options->scheme.scheme || options->refine_on == RefineOn::kGpu ||
-         options->picture.show == Show::kControl)) {
-      throw CLI::ValidationError("--colours",
-                                 "distance is of what is painted, refined on the cpu and shown");
+        (options->scheme.scheme || options->refine_on == RefineOn::kGpu)) {
+      throw CLI::ValidationError(
+          "--colours",
+          "distance is of the control mesh, or of what is painted and refined on the cpu");
     }
     if (const int levels = options->painting.levels;
         options->scheme.scheme && levels != kAllLevels && levels > kMostSchemeLevels) {

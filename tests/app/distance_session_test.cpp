@@ -52,8 +52,15 @@ TEST_F(DistanceSession, IsMeasuredOnceWhenAsked) {
 TEST_F(DistanceSession, IsKeptUpWhileItColoursTheFaces) {
   session_.perform(kTintDistance);
   EXPECT_EQ(session_.display().tint, ui::Tint::kDistance);
-  EXPECT_FALSE(session_.distance().is_busy()) << "there is no refined mesh yet";
+  session_.finish_refinement();
+  ASSERT_TRUE(status().figures) << "the control mesh is shown as yet";
+  const ControlMesh* control = session_.document().control.get();
+  ASSERT_NE(session_.distance().distance(control), nullptr);
+  EXPECT_EQ(session_.distance().distance(control)->of_faces.size(), control->face_count());
+  EXPECT_NEAR(status().figures->greatest(), 0.25 * control->bounds().diagonal(), 1e-6)
+      << "a cube's corners";
   paint(2);
+  EXPECT_EQ(session_.distance().distance(control), nullptr);
   ASSERT_TRUE(status().figures);
   const double before = status().figures->greatest();
   paint(3);
@@ -63,10 +70,12 @@ TEST_F(DistanceSession, IsKeptUpWhileItColoursTheFaces) {
   ASSERT_NE(session_.distance().distance(mesh), nullptr);
   EXPECT_EQ(session_.distance().distance(mesh)->of_faces.size(), mesh->face_count());
   session_.perform(kShowControl);
-  EXPECT_FALSE(status().can_measure);
+  session_.finish_refinement();
+  ASSERT_TRUE(status().figures);
+  EXPECT_GT(status().figures->greatest(), before);
   session_.perform(kShowRefined);
-  EXPECT_TRUE(status().figures) << "known already";
-  EXPECT_FALSE(session_.distance().is_busy());
+  session_.finish_refinement();
+  EXPECT_LT(status().figures->greatest(), before);
 }
 
 TEST_F(DistanceSession, StopsWhenCancelled) {
@@ -88,12 +97,12 @@ TEST_F(DistanceSession, StopsWhenCancelled) {
 }
 
 TEST_F(DistanceSession, IsOfWhatIsPaintedByCatmullClarkAlone) {
+  session_.perform({kOpenBundled, std::string("icosahedron")});
+  session_.perform(kAdaptiveLoop);
   session_.perform(kMeasureDistance);
   EXPECT_FALSE(session_.distance().is_busy());
   ASSERT_FALSE(session_.toasts().empty());
-  EXPECT_THAT(session_.toasts().back().text, testing::HasSubstr("Paint"));
-  session_.perform({kOpenBundled, std::string("icosahedron")});
-  session_.perform(kAdaptiveLoop);
+  EXPECT_THAT(session_.toasts().back().text, testing::HasSubstr("Catmull-Clark"));
   session_.perform(kRaiseAll);
   session_.finish_refinement();
   EXPECT_FALSE(status().can_measure);

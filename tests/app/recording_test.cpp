@@ -338,6 +338,27 @@ TEST_F(RecordingTest, FilesAreReadFromTheRecordingAndNoneIsWritten) {
   EXPECT_FALSE(fs::exists(folder_ / "out.obj"));
 }
 
+TEST_F(RecordingTest, ChosenDepthsComeWhenTheyCame) {
+  const fs::path roof = folder_ / "roof.obj";
+  std::ofstream(roof) << "v 0 0 0\nv 1 0 1\nv 2 0 0\nv 0 1 0\nv 1 1 1\nv 2 1 0\n"
+                         "f 1 2 5 4\nf 2 3 6 5\n";
+  turn({.dropped_files = {roof}});
+  turns_until_rest();
+  key(ui::Key::kD, {.ctrl = true});
+  turns_until_rest();
+  EXPECT_GT(session().document().depths.deepest(), 0);
+  key(ui::Key::kZ, {.ctrl = true});
+  key(ui::Key::kD, {.ctrl = true});
+  key(ui::Key::kA);
+  turns_until_rest();
+  const Recording recording = finish();
+  IgnoreProgress ignore;
+  const auto played = play_headless(recording, {}, ignore);
+  ASSERT_TRUE(played) << to_string(played.error());
+  EXPECT_THAT(played->report.differences, IsEmpty());
+  EXPECT_EQ(checksum_of(played->document), document_);
+}
+
 TEST_F(RecordingTest, AnotherRunIsToldApart) {
   key(ui::Key::kA);
   turns_until_rest();

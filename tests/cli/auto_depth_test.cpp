@@ -1,5 +1,7 @@
 // Rules that choose depths, through the program: what it tells of the distance to the limit
 // surface, and cameras from files.
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -62,6 +64,43 @@ TEST(AutoDepth, LooksThroughTheCamerasOfFiles) {
   const ProgramRun missing = limn({"refine", "cube", "--paint", "screen=8px@nowhere.json"});
   EXPECT_NE(missing.exit_code, 0);
   EXPECT_THAT(missing.err, HasSubstr("nowhere.json"));
+}
+
+TEST(Presets, AreListedAndPaintedBy) {
+  const Numbers list = Numbers::parse(limn({"presets", "--json"}).out)["presets"];
+  ASSERT_GE(list.size(), 5U);
+  EXPECT_EQ(list[0]["name"], "draft");
+  EXPECT_EQ(list[0]["bundled"], true);
+  const std::string rule = list[0]["rules"][0].get<std::string>();
+  const ProgramRun by_name = limn({"refine", "teapot", "--paint", "preset=draft", "--json"});
+  const ProgramRun by_rule = limn({"refine", "teapot", "--paint", rule, "--json"});
+  ASSERT_EQ(by_name.exit_code, 0) << by_name.err;
+  EXPECT_EQ(Numbers::parse(by_name.out)["faces_by_depth"],
+            Numbers::parse(by_rule.out)["faces_by_depth"]);
+  EXPECT_THAT(limn({"presets"}).out, HasSubstr("    budget=5000\n"));
+  const ProgramRun missing = limn({"refine", "cube", "--paint", "preset=none"});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("draft"));
+}
+
+TEST(Presets, SavedInTheWindowAreThereAsWell) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directories(scratch / "limn");
+  write_file(scratch / "limn" / "preferences.json",
+             R"({"presets": [{"name": "mine", "rules": "all:+1\ngrow\n"}]})");
+  const char* before = std::getenv("XDG_CONFIG_HOME");
+  const std::string kept = before != nullptr ? before : "";
+  setenv("XDG_CONFIG_HOME", scratch.path().c_str(), 1);
+  const ProgramRun run = limn({"refine", "cube", "--paint", "preset=mine", "--json"});
+  const ProgramRun list = limn({"presets"});
+  if (before != nullptr) {
+    setenv("XDG_CONFIG_HOME", kept.c_str(), 1);
+  } else {
+    unsetenv("XDG_CONFIG_HOME");
+  }
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(Numbers::parse(run.out)["faces"], 24);
+  EXPECT_THAT(list.out, HasSubstr("mine\n    all:+1\n    grow\n"));
 }
 
 }  // namespace

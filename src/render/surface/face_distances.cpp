@@ -15,10 +15,22 @@ FaceDistances::FaceDistances() : bytes_(gl::Buffer::create("face distances")) {}
 void FaceDistances::upload(const RefinedMesh& mesh, std::span<const float> of_faces,
                            double greatest) {
   LIMN_EXPECTS(of_faces.size() == mesh.face_count());
+  upload_sorted([&](std::size_t f) { return mesh.face(f).size(); }, of_faces, greatest);
+}
+
+void FaceDistances::upload(const ControlMesh& mesh, std::span<const float> of_faces,
+                           double greatest) {
+  LIMN_EXPECTS(of_faces.size() == mesh.face_count());
+  upload_sorted([&](std::size_t f) { return mesh.face(f).size(); }, of_faces, greatest);
+}
+
+template <class SidesOf>
+void FaceDistances::upload_sorted(const SidesOf& sides_of, std::span<const float> of_faces,
+                                  double greatest) {
   count_ = of_faces.size();
   std::vector<std::size_t> next;  // By the number of sides.
   for (std::size_t f = 0; f < count_; ++f) {
-    const std::size_t sides = mesh.face(f).size();
+    const std::size_t sides = sides_of(f);
     next.resize(std::max(next.size(), sides + 2), 0);
     ++next[sides + 1];
   }
@@ -29,7 +41,7 @@ void FaceDistances::upload(const RefinedMesh& mesh, std::span<const float> of_fa
   const double scale = greatest > 0.0 ? 255.0 / greatest : 0.0;
   for (std::size_t f = 0; f < count_; ++f) {
     const double value = std::clamp(scale * static_cast<double>(of_faces[f]), 0.0, 255.0);
-    bytes[next[mesh.face(f).size()]++] = static_cast<std::uint8_t>(std::lround(value));
+    bytes[next[sides_of(f)]++] = static_cast<std::uint8_t>(std::lround(value));
   }
   bytes_.upload(bytes);
 }
