@@ -125,6 +125,9 @@ bool Session::perform_camera(const ui::Action& action) {
           painted.push_back(face);
         }
       }
+      for (const FineDemand& demand : document_.demands.all()) {
+        painted.push_back(demand.face.control_face);
+      }
       if (painted.empty()) {
         toast(ui::Toast::Kind::kNote, "Nothing is painted yet.");
       } else {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "limn/document/document.h"
+#include "limn/mesh/control_mesh.h"
 #include "limn/mesh/statistics.h"
 #include "limn/painting/face_regions.h"
 #include "limn/subdivision/crack_check.h"
@@ -98,13 +99,13 @@ bool is_available(const Model& model, const Action& action) {
       return is_painted || !document.demands.empty() || document.control != document.opened ||
              document.stage != Stage{};
     case ActionId::kZeroAll:
+    case ActionId::kFramePainted:
       return is_painted || !document.demands.empty();
     case ActionId::kLowerAll:
     case ActionId::kGrowPainting:
     case ActionId::kShrinkPainting:
     case ActionId::kSmoothPainting:
     case ActionId::kInvertPainting:
-    case ActionId::kFramePainted:
       return is_painted;
     case ActionId::kMirrorPainting:
       return is_painted && model.brush.mirror.any();
@@ -244,6 +245,20 @@ std::string_view why_not_fine(const Model& model) {
     return "Whole faces are painted until you subdivide.";
   }
   return {};
+}
+
+DepthCounts painted_counts(const Model& model) {
+  DepthCounts counts = model.depth_counts;
+  const Document& document = model.document;
+  if (document.scheme || document.settings.scheme != RefinementScheme::kCatmullClark) {
+    return counts;
+  }
+  const bool splits_all = document.settings.non_quads == NonQuadRule::kUniformFirstStep &&
+                          !document.control->is_all_quads();
+  for (const FineDemand& demand : document.demands.all()) {
+    ++counts[demand.depth - (splits_all ? 1U : 0U)];
+  }
+  return counts;
 }
 
 bool is_checked(const Model& model, const Action& action) {

@@ -18,6 +18,10 @@ namespace limn::ui {
 /// off or does not.
 [[nodiscard]] std::string_view why_not_fine(const Model& model);
 
+/// What is painted to each depth, as the legend counts it: control faces, and pieces of them that
+/// finer faces are painted to by themselves.
+[[nodiscard]] DepthCounts painted_counts(const Model& model);
+
 /// Flaws of a kind that the surface has.
 [[nodiscard]] std::size_t count_of(const Model& model, FlawKind kind);
 

@@ -6,6 +6,7 @@
 
 #include "limn/document/document.h"
 #include "limn/mesh/statistics.h"
+#include "ui/availability.h"
 #include "ui/axis_gizmo.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -50,7 +51,7 @@ void draw_legends(PanelContext& context, ImDrawList& list, const LegendLook& loo
   if (tint == Tint::kLevel || (tint == Tint::kDepth && (!model.document.scheme || is_painted))) {
     LegendCounts counts;
     counts.tint = tint;
-    counts.depths = tint == Tint::kLevel ? model.level_counts : model.depth_counts;
+    counts.depths = tint == Tint::kLevel ? model.level_counts : painted_counts(model);
     const WindowSize compact = compact_legend_size(look);
     const bool has_room_beside_axes =
         x + static_cast<float>(compact.width) + context.px(kAxesRoom) <= end;

@@ -33,6 +33,7 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereSaved) {
   saved.brush.target_depth = 4;
   saved.brush.fill_angle = 75.0;
   saved.brush.goes_through = true;
+  saved.brush.is_fine = true;
   saved.brush.shift_draws_lines = true;
   saved.brush.mirror = {.x = true, .z = true};
   saved.dihedral_threshold = 12.25;

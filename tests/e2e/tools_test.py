@@ -280,6 +280,42 @@ class Tools:
             self.undo()
         assert program.state["depths"] == before, "four strokes, four commands"
 
+    def fine(self):
+        """Faces of the refined mesh alone, which control faces and their depths know nothing of."""
+        program = self.program
+        self.take("p", "paint")
+        program.key("a")
+        program.wait_for("all is raised", lambda s: s["undo"].startswith("raise all"))
+        program.key("y")
+        program.wait_for("the refined mesh is painted",
+                         lambda s: s["fine"] and s["refined"] and not s["busy"])
+        face, place = large_face(self.image)
+        viewport = program.state["viewport"]
+        program.move(viewport[0] + 3, viewport[1] + 3)
+        program.wait_for("the cursor is beside the mesh", lambda s: s["hover"] is None)
+        program.move(*place)
+        before = program.wait_for("the cost is known",
+                                  lambda s: s["forecast"] and s["forecast"]["faces"] > 0
+                                  and s["hover"] == face)
+        program.click(*place)
+        after = program.wait_for("finer faces are painted",
+                                 lambda s: "finer face" in s["undo"] and not s["busy"])
+        count = before["forecast"]["faces"]
+        assert after["undo"] == f"paint {count} finer face{'s' if count > 1 else ''}", after["undo"]
+        assert after["depths"] == before["depths"]
+        assert after["demands"] > 0
+        added = after["refined"]["faces"] - before["refined"]["faces"]
+        assert added == before["forecast"]["added"], (added, before["forecast"])
+        program.drag([place], held="ctrl")
+        back = program.wait_for("Shift takes it back",
+                                lambda s: s["demands"] == 0 and not s["busy"])
+        assert back["refined"]["faces"] == before["refined"]["faces"]
+        for _ in range(3):
+            self.undo()
+        program.key("y")
+        program.key("F2")
+        program.wait_for("the control mesh is painted again", lambda s: not s["fine"])
+
     def mirror_and_rules(self):
         program = self.program
         self.take("shift+u", "smart fill")
@@ -343,6 +379,7 @@ def main():
             tools.through(tools.rectangle())
             tools.lasso()
             tools.lines()
+            tools.fine()
             tools.mirror_and_rules()
             program.close_window()
             # All is undone: there is nothing to be asked about.

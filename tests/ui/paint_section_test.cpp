@@ -91,6 +91,7 @@ TEST(PaintSection, SaysWhyFineIsNotToBeHad) {
   screen.document.settings.scheme = RefinementScheme::kCatmullClark;
   screen.document.demands = FineDemands(std::vector<FineDemand>{{{0, 0, 1, 0, 0}, 2}});
   EXPECT_TRUE(is_available(screen.model, ActionId::kClearFine));
+  EXPECT_EQ(painted_counts(screen.model), (DepthCounts{3, 3, 1}));
 }
 
 TEST(ToolStrip, AllToolsFitAboveEachOtherInALowWindow) {
