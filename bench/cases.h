@@ -36,6 +36,8 @@ void register_adaptive(Extent extent);
 /// `cracks/MESH/LEVELS/PROGRAM` and `cracks/LAYOUT/PERCENT/DEPTH/PROGRAM`: the crack check.
 void register_cracks(Extent extent);
 
+/// `choosing/MESH/RULE/choose` and `/refine`: choosing depths, and the refinement it leads to.
+void register_choosing(Extent extent);
 /// `limit/MESH/LEVELS/WISH`: limit positions and normals on top of a refinement.
 void register_limit(Extent extent);
 /// `legalise/ILLEGAL/METHOD`: illegal vertices of painted tori, ten thousand to a million.

@@ -91,6 +91,7 @@ void register_all(const Arguments& arguments) {
   register_adaptive(arguments.extent);
   register_limit(arguments.extent);
   register_cracks(arguments.extent);
+  register_choosing(arguments.extent);
   register_legalisation(arguments.extent);
 #ifdef LIMN_BENCH_PICKING
   register_picking(arguments.extent);

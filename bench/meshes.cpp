@@ -1,6 +1,7 @@
-// An asteroid starts as an icosahedron. Its triangles are split in four until there are enough,
-// then into three quads each, and those twice in four. Every step is a split at edge midpoints,
-// which the flat topology of the step before numbers; new vertices are thrown out to the sphere.
+// An asteroid starts as an icosahedron, or a finer sphere. Its triangles are split in four until
+// there are enough, then into three quads each, and those twice in four. Every step is a split at
+// edge midpoints, which the flat topology of the step before numbers; new vertices are thrown out
+// to the sphere.
 //
 //        /\             /\               +---+---+
 //       /__\           /  \              |   |   |
@@ -95,16 +96,16 @@ double radius(const glm::dvec3& d) {
          0.02 * std::sin(13.0 * d.z + 7.9 * d.x) * std::sin(11.0 * d.y + 2.1);
 }
 
-/// An asteroid of 960 * 4^splits quads.
-SharedMesh asteroid(int splits) {
-  const Result<ImportedMesh> icosahedron = load_bundled_mesh("icosahedron");
-  LIMN_EXPECTS(icosahedron.has_value());
+/// An asteroid of 48 * 4^splits quads for each triangle of a bundled mesh around the origin.
+SharedMesh asteroid(int splits, const char* triangles = "icosahedron") {
+  const Result<ImportedMesh> start = load_bundled_mesh(triangles);
+  LIMN_EXPECTS(start.has_value());
   PolygonSoup soup;
-  for (const glm::dvec3& position : icosahedron->mesh->positions()) {
+  for (const glm::dvec3& position : start->mesh->positions()) {
     soup.positions.push_back(glm::normalize(position));
   }
-  for (std::size_t f = 0; f < icosahedron->mesh->face_count(); ++f) {
-    soup.add_face(icosahedron->mesh->face(f));
+  for (std::size_t f = 0; f < start->mesh->face_count(); ++f) {
+    soup.add_face(start->mesh->face(f));
   }
   SharedMesh mesh = build(soup);
   for (int split = 0; split < splits; ++split) {
@@ -134,6 +135,9 @@ SharedMesh make(const std::string& name) {
   }
   if (name == "asteroid_61k") {
     return asteroid(3);
+  }
+  if (name == "asteroid_98k") {
+    return asteroid(3, "sphere");
   }
   if (name == "asteroid_246k") {
     return asteroid(4);

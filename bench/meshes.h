@@ -11,12 +11,12 @@
 
 namespace limn::bench {
 
-/// The control mesh of a name: a bundled mesh, `asteroid_15k`, `asteroid_61k`, `asteroid_246k`, or
-/// `asteroid_31k_triangles`, `asteroid_123k_triangles`, which are the first two cut into triangles.
-/// Made when first asked for and kept until the program ends.
+/// The control mesh of a name: a bundled mesh, `asteroid_15k`, `asteroid_61k`, `asteroid_98k`,
+/// `asteroid_246k`, or `asteroid_31k_triangles`, `asteroid_123k_triangles`, which are the first two
+/// cut into triangles. Made when first asked for and kept until the program ends.
 ///
-/// An asteroid is a closed, bumpy sphere of 15,360, 61,440 or 245,760 quads. One vertex in 32 is
-/// extraordinary (valence 3 or 6, and twelve of 5), evenly spread, as in a character that was
+/// An asteroid is a closed, bumpy sphere of 15,360, 61,440, 98,304 or 245,760 quads. One vertex in
+/// 32 is extraordinary (valence 3 or 6, and twelve of 5), evenly spread, as in a character that was
 /// modelled or remeshed by quads. Uniform refinement by 4, 3 or 2 levels makes 3,932,160 faces.
 /// Broken contract where there is no such mesh.
 [[nodiscard]] const ControlMesh& control_mesh(const std::string& name);

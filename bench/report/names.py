@@ -37,6 +37,8 @@ WISHES = {
     "limit_and_normals": "limit positions and normals",
 }
 
+CHOICES = {"tolerance": "tolerance of {} diagonals", "budget": "budget of {} faces"}
+
 METHODS = {"greedy": "greedy", "look_ahead": "look-ahead"}
 
 PICKING = {

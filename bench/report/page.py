@@ -2,12 +2,12 @@
 
 from math import log
 
-from names import BOUNDS, LAYOUTS, LOOP_PROGRAMS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, WISHES, \
-    beside_painting, works
+from names import BOUNDS, CHOICES, LAYOUTS, LOOP_PROGRAMS, MAIN, METHODS, PAINTED, PICKING, PROGRAMS, \
+    WISHES, beside_painting, works
 
 
 def page(results):
-    sections = [opening, at_a_glance, uniform, loop, memory, adaptive, limit, cracks, legalisation,
+    sections = [opening, at_a_glance, uniform, loop, memory, adaptive, limit, cracks, choosing, legalisation,
                 machine_bounds, others, picking, agreement, not_measured, method]
     texts = [section(results) for section in sections]
     return "\n\n".join(text for text in texts if text) + "\n"
@@ -275,6 +275,27 @@ Every edge of a refined mesh is held against its neighbours, with nothing taken 
 {table(["mesh", "M faces", "ms", "M faces/s", "2 threads"], rows)}"""
 
 
+def choosing(results):
+    rows = []
+    for case in results.group("choosing"):
+        mesh, choice, kind = case.path[1:]
+        again = results.get("choosing", mesh, choice, "refine")
+        if kind != "choose" or not again:
+            continue
+        word, value = choice.split("_")
+        share = case.seconds / again.seconds
+        rows.append([f"`{mesh}`", CHOICES[word].format(value), millions(again.counters["faces"]),
+                     milliseconds(case), milliseconds(again),
+                     f"{share:.2f}" if share <= 1.0 else f"**{share:.2f} (behind)**"])
+    if not rows:
+        return ""
+    return f"""## Choosing depths
+
+Depths by themselves, and the refinement that they lead to: labels, legalisation, the refined mesh in memory that is there, and the check for cracks, as the program does it. On all cores.
+
+{table(["mesh", "chosen by", "M faces", "ms to choose", "ms to refine", "choosing / refining"], rows, words=2)}"""
+
+
 def number(value):
     if value is None:
         return ""
@@ -333,7 +354,7 @@ Tori of quads of which 5 % are painted at random, one thread. The least time gro
 def others(results):
     """Groups that have no section of their own: every counter of every case."""
     known = {"uniform", "loop", "memory", "adaptive", "bounds", "picking", "agreement", "legalise", "limit",
-             "cracks"}
+             "cracks", "choosing"}
     sections = []
     for group in sorted({case.path[0] for case in results.cases.values()} - known):
         cases = results.group(group)
