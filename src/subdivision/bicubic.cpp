@@ -4,6 +4,10 @@
 namespace limn {
 namespace {
 
+// Divisions take long.
+constexpr double kSixth = 1.0 / 6.0;
+constexpr double k48th = 1.0 / 48.0;
+
 struct CurveSample {
   Point value;
   Point first;
@@ -15,15 +19,15 @@ struct CurveSample {
 std::array<CurveSample, kSamplesAlong> sample_curve(const Point& a, const Point& b, const Point& c,
                                                     const Point& d) noexcept {
   return {
-      {{(a + b * 4.0 + c) / 6.0, (c - a) * 0.5, a - b * 2.0 + c},
-       {((b + c) * 23.0 + a + d) / 48.0, ((c - b) * 5.0 + d - a) * 0.125, (a - b - c + d) * 0.5},
-       {(b + c * 4.0 + d) / 6.0, (d - b) * 0.5, b - c * 2.0 + d}}};
+      {{(a + b * 4.0 + c) * kSixth, (c - a) * 0.5, a - b * 2.0 + c},
+       {((b + c) * 23.0 + a + d) * k48th, ((c - b) * 5.0 + d - a) * 0.125, (a - b - c + d) * 0.5},
+       {(b + c * 4.0 + d) * kSixth, (d - b) * 0.5, b - c * 2.0 + d}}};
 }
 
 /// The parts of `sample_curve` that a second pass needs of values, firsts and seconds.
 std::array<Point, kSamplesAlong> sample_values(const Point& a, const Point& b, const Point& c,
                                                const Point& d) noexcept {
-  return {(a + b * 4.0 + c) / 6.0, ((b + c) * 23.0 + a + d) / 48.0, (b + c * 4.0 + d) / 6.0};
+  return {(a + b * 4.0 + c) * kSixth, ((b + c) * 23.0 + a + d) * k48th, (b + c * 4.0 + d) * kSixth};
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ struct PatchCorner {
   RingView ring;
   std::uint32_t before = kNone;  ///< Which edges of the ring lie beyond the corner's two sides:
   std::uint32_t after = kNone;   ///< beyond side i, and beyond side i - 1. kNone: outside.
+  bool is_on_boundary = false;   ///< Whether the surface ends there, in whichever face.
 };
 
 /// A quad of level 0, or of level 1 inside a face that is none, with the vertices around it.

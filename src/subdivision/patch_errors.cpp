@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "subdivision/bicubic.h"
+#include "subdivision/bicubic_errors.h"
 #include "subdivision/patch_levels.h"
 #include "subdivision/patch_limits.h"
 
@@ -25,8 +26,11 @@ constexpr double kMissedBesideCreases = 1.2;
 /// How much of what lies within the surface counts, times the sine of how far it turns. A shift by
 /// t within a surface that turns by an angle lifts a point by t times its sine at the most, yet
 /// where a quad is furthest off it is parallel to the surface, and there a shift lifts nothing. All
-/// of it made estimates twice what is measured, none of it a fifth too small here and there.
-constexpr double kPartWithin = 0.25;
+/// of it made estimates twice what is measured, none of it a fifth too small here and there. At
+/// positions of the level it is corners that are furthest off, and nothing is parallel there.
+constexpr double part_within(SurfacePoints points) noexcept {
+  return points == SurfacePoints::kLimit ? 0.25 : 1.0;
+}
 
 double dot(const Point& a, const Point& b) noexcept {
   const Point product = a * b;
@@ -35,11 +39,6 @@ double dot(const Point& a, const Point& b) noexcept {
 
 double length(const Point& a) noexcept {
   return std::sqrt(dot(a, a));
-}
-
-Point cross(const Point& a, const Point& b) noexcept {
-  return Point{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
-               0.0};
 }
 
 /// What a vector has at right angles to another; all of it where that is none.
@@ -53,13 +52,19 @@ struct ErrorParts {
   double outwards = 0.0;  ///< What stands out of the surface: a quarter a level.
   double within = 0.0;    ///< What lies in it counts by as much as it turns within a quad:
   double turn = 0.0;      ///< the sine of that angle, a half a level.
+  double part_within = 1.0;
 
   void add_outwards(double error) noexcept { outwards = std::max(outwards, error); }
   void add_within(double error) noexcept { within = std::max(within, error); }
-  [[nodiscard]] double at(int levels_deeper) const noexcept {
-    const double sine = std::min(1.0, std::ldexp(turn, -levels_deeper));
-    return std::ldexp(outwards + std::min(1.0, kPartWithin + sine) * sine * within,
-                      -2 * levels_deeper);
+  [[nodiscard]] double error() const noexcept {
+    const double sine = std::min(1.0, turn);
+    return outwards + std::min(1.0, part_within + sine) * sine * within;
+  }
+  /// To those of the quads that these become.
+  void go_deeper() noexcept {
+    outwards *= 0.25;
+    within *= 0.25;
+    turn *= 0.5;
   }
 };
 
@@ -82,30 +87,6 @@ class Normals {
   const std::array<Point, 9>* normals_;
 };
 
-/// A symmetric bilinear form of two directions, by its values: along, mixed, across.
-struct QuadraticForm {
-  double along = 0.0;
-  double mixed = 0.0;
-  double across = 0.0;
-};
-
-/// The greatest error of the plane through three points of a quadratic, between directions x and y
-/// and their sum: eighths of what the quadratic bends along the sides or, where the triangle is
-/// acute as the quadratic measures it, half the square of its circumradius.
-double triangle_error(double along_x, double along_y, double along_sum) noexcept {
-  const double a = std::abs(along_x);
-  const double c = std::abs(along_y);
-  const double s = std::abs(along_sum);
-  const double longest = std::max({a, c, s});
-  const bool is_definite = along_x * along_y > 0.0 && along_x * along_sum > 0.0;
-  const double mixed = (along_sum - along_x - along_y) / 2.0;
-  const double determinant = along_x * along_y - mixed * mixed;
-  if (is_definite && determinant > 0.0 && 2.0 * longest < a + c + s) {
-    return a * c * s / (8.0 * determinant);
-  }
-  return longest / 8.0;
-}
-
 /// Where a unit quad is cut.
 enum class Diagonal { kUp, kDown, kEither };  ///< From the first corner, or to it.
 
@@ -119,37 +100,7 @@ Diagonal shorter_diagonal(const Point& u, const Point& v) noexcept {
                                            : Diagonal::kDown;
 }
 
-/// The greatest error of the two triangles that a unit quad is cut into, with these second
-/// derivatives.
-double quad_error(const QuadraticForm& form, Diagonal diagonal, SurfacePoints points) noexcept {
-  const auto [a, b, c] = form;
-  const double up = triangle_error(a, c, a + c + 2.0 * b);
-  const double down = triangle_error(a, c, a + c - 2.0 * b);
-  const double chord = diagonal == Diagonal::kUp     ? up
-                       : diagonal == Diagonal::kDown ? down
-                                                     : std::max(up, down);
-  if (points == SurfacePoints::kLimit) {
-    return chord;
-  }
-  // Corners stand off the limit by a sixth of what the surface bends both ways; chords come back
-  // from there, or go further where it bends the other way.
-  const double corner = (a + c) / 6.0;
-  double error = std::abs(corner);
-  const auto add_middle = [&](double bend) {
-    error = std::max(error, std::abs(corner - bend / 8.0));
-  };
-  add_middle(a);
-  add_middle(c);
-  if (diagonal != Diagonal::kDown) {
-    add_middle(a + c + 2.0 * b);
-  }
-  if (diagonal != Diagonal::kUp) {
-    add_middle(a + c - 2.0 * b);
-  }
-  return error;
-}
-
-/// The same of a curve.
+/// The greatest error of a curve's chords, with this second derivative.
 double curve_error(double second, SurfacePoints points) noexcept {
   return second / (points == SurfacePoints::kLimit ? 8.0 : 6.0);
 }
@@ -170,6 +121,7 @@ class PatchErrors {
   [[nodiscard]] std::optional<std::array<SideLimits, 4>> bicubic_sides(const PatchGrid& face) const;
   void add_bicubic(const PatchGrid& face, const std::array<SideLimits, 4>& sides);
   [[nodiscard]] ErrorParts measure(const PatchGrid& face, const PatchGrid& next) const;
+  [[nodiscard]] bool is_amid_smooth_surface(const PatchGrid& face, std::size_t i) const noexcept;
   void raise(int level, double error) noexcept {
     float& kept = (*errors_)[static_cast<std::size_t>(level)];
     kept = std::max(kept, static_cast<float>(error));
@@ -208,22 +160,8 @@ void PatchErrors::add_bicubic(const PatchGrid& face, const std::array<SideLimits
     }
   }
   const BicubicSamples samples = sample_bicubic(points);
-  std::array<Point, 9> normals;
-  ErrorParts parts;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const BicubicSample& at = samples[i];
-    const Point normal = cross(at.u, at.v);
-    const double size = length(normal);
-    normals[i] = size > 0.0 ? normal / size : Point{};
-    const double a = dot(at.uu, normals[i]);
-    const double b = dot(at.uv, normals[i]);
-    const double c = dot(at.vv, normals[i]);
-    parts.add_outwards(quad_error({a, b, c}, shorter_diagonal(at.u, at.v), wish_->points));
-    const double along = length(at.uu - normals[i] * a);
-    const double mixed = length(at.uv - normals[i] * b);
-    const double across = length(at.vv - normals[i] * c);
-    parts.add_within((along + across) / 6.0 + mixed / 4.0);
-  }
+  const BicubicErrors inside = bicubic_errors(samples, wish_->points);
+  ErrorParts parts{inside.outwards, inside.within, inside.turn, part_within(wish_->points)};
   for (std::size_t i = 0; i < 4; ++i) {
     if (sides[i] == SideLimits::kMirrored) {
       for (const std::size_t place : kSidePlaces[i]) {
@@ -233,10 +171,19 @@ void PatchErrors::add_bicubic(const PatchGrid& face, const std::array<SideLimits
       }
     }
   }
-  parts.turn = Normals(normals).turn();
   for (int level = face.level; level < static_cast<int>(kErrorLevels); ++level) {
-    raise(level, parts.at(level - face.level));
+    raise(level, parts.error());
+    parts.go_deeper();
   }
+}
+
+/// Whether the surface has one tangent plane around corner i and goes on on all sides.
+bool PatchErrors::is_amid_smooth_surface(const PatchGrid& face, std::size_t i) const noexcept {
+  const auto is_open = [&](std::size_t side) {
+    return !has(face.patch_sides, side) || patch_->sides[side].kind == SideKind::kOpen;
+  };
+  return !wish_->is_creased && is_open(i) && is_open((i + 3) % 4) &&
+         !(has(face.patch_corners, i) && patch_->corners[i].is_on_boundary);
 }
 
 /// The error of the face as a quad of its own level, from its limits one level down.
@@ -254,6 +201,7 @@ ErrorParts PatchErrors::measure(const PatchGrid& face, const PatchGrid& next) co
       grid.points + grid.stride + 1, grid.points + grid.stride + 2,
       grid.points + 2 * grid.stride + 2, grid.points + 2 * grid.stride + 1};
   ErrorParts parts;
+  parts.part_within = part_within(wish_->points);
   const auto add = [&](const Point& off, std::size_t place) {
     const double out = dot(off, normals[place]);
     parts.add_outwards(std::abs(out));
@@ -262,8 +210,12 @@ ErrorParts PatchErrors::measure(const PatchGrid& face, const PatchGrid& next) co
   std::array<Point, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
     corners[i] = wish_->points == SurfacePoints::kLimit ? limits[kCorners[i]] : *stored[i];
-    // A corner's normal may be another side's.
-    parts.add_outwards(length(corners[i] - limits[kCorners[i]]));
+    const Point off = corners[i] - limits[kCorners[i]];
+    if (is_amid_smooth_surface(face, i)) {
+      add(off, kCorners[i]);
+    } else {
+      parts.add_outwards(length(off));  // The normal may be another side's.
+    }
   }
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t middle = kSidePlaces[i][1];
@@ -295,7 +247,8 @@ void PatchErrors::visit(const PatchGrid& face) {
   std::array<Point, 25> points;
   step_down(*patch_, face, points.data());
   const PatchGrid next = one_level_down(face, points.data());
-  const double error = measure(face, next).at(0) * (wish_->is_creased ? kMissedBesideCreases : 1.0);
+  const double error =
+      measure(face, next).error() * (wish_->is_creased ? kMissedBesideCreases : 1.0);
   raise(face.level, error);
   if (error <= wish_->enough || face.level >= wish_->last_level) {
     is_complete_ = is_complete_ && error <= wish_->enough;
@@ -334,6 +287,7 @@ double polygon_error(const PolygonSamples& samples, SurfacePoints points) {
   const Point normal = to_point(samples.centre.normal);
   const Point off = to_point(samples.centre.position) - mean;
   ErrorParts parts;
+  parts.part_within = part_within(points);
   parts.add_outwards(std::abs(dot(off, normal)));
   parts.add_within(length(off - normal * dot(off, normal)));
   double least_cosine = 1.0;
@@ -350,7 +304,7 @@ double polygon_error(const PolygonSamples& samples, SurfacePoints points) {
   }
   parts.turn =
       least_cosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - least_cosine * least_cosine)) : 1.0;
-  return parts.at(0);
+  return parts.error();
 }
 
 }  // namespace limn

@@ -42,6 +42,7 @@ PatchCorner corner_of(const Cage& cage, const RingTables& rings, std::uint32_t c
     const std::uint32_t rank = cage.topology->corner_ranks[corner];
     const auto edges = static_cast<std::uint32_t>(result.ring.edge_count());
     const bool is_boundary = fan_of(cage, cage.topology->corner_vertices[corner]).is_boundary;
+    result.is_on_boundary = is_boundary;
     if (rank > 0 || !is_boundary) {
       result.before = rank > 0 ? rank - 1 : edges - 1;
     }

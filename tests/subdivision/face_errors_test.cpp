@@ -14,6 +14,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "limn/subdivision/label_subdivision.h"
+#include "subdivision/bicubic_errors.h"
 #include "support/attribute_shapes.h"
 #include "support/effort.h"
 #include "support/shapes.h"
@@ -168,6 +169,77 @@ TEST_P(FaceErrors, AreNothingInAPlane) {
   const auto errors = face_errors(*plane, options, progress).value();
   EXPECT_LT(errors[14][0], 1e-6F);  // Inside.
   EXPECT_GT(errors[0][0], 1e-3F);   // Its boundary is a curve.
+}
+
+TEST_P(FaceErrors, AreNothingAroundIrregularVerticesInAPlane) {
+  // Three quads around a vertex, refined so that the boundary is far, then made uneven: what moves
+  // within the plane is no distance.
+  PolygonSoup three;
+  three.positions = {{0.0, 0.0, 0.0}};
+  for (int i = 0; i < 6; ++i) {
+    const double angle = glm::radians(60.0 * i);
+    three.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
+  three.add_face(std::array{0U, 1U, 2U, 3U});
+  three.add_face(std::array{0U, 3U, 4U, 5U});
+  three.add_face(std::array{0U, 5U, 6U, 1U});
+  const RefinedMesh finer = uniform(*test::control_mesh(three), 3, SurfacePoints::kLevel);
+  test::Random random(4);
+  PolygonSoup soup;
+  for (std::size_t v = 0; v < finer.vertex_count(); ++v) {
+    soup.positions.push_back(finer.position(static_cast<std::uint32_t>(v)));
+  }
+  for (std::size_t f = 0; f < finer.face_count(); ++f) {
+    soup.add_face(finer.face(f));
+  }
+  soup = test::jittered(soup, 0.02, random);
+  for (glm::dvec3& p : soup.positions) {
+    p.z = 0.0;
+  }
+  const MeshPointer plane = test::control_mesh(soup);
+  FaceErrorOptions options;
+  options.points = GetParam();
+  IgnoreProgress progress;
+  const auto errors = face_errors(*plane, options, progress).value();
+  std::size_t irregular = 0;
+  for (std::size_t f = 0; f < errors.size(); ++f) {
+    double farthest = 0.0;
+    for (const std::uint32_t v : plane->face(f)) {
+      farthest = std::max(farthest, glm::length(plane->positions()[v]));
+    }
+    if (farthest < 0.3) {
+      EXPECT_LT(errors[f][0], 1e-6F) << f;
+      ++irregular;
+    }
+  }
+  EXPECT_GE(irregular, 3U);
+}
+
+TEST(BicubicErrors, OfAParaboloidAreAQuarterOfItsBend) {
+  // Whatever the unit of length: chords along diagonals span sqrt(2), and bend by 2 / 8.
+  for (const double unit : {1e-12, 1.0, 1e12}) {
+    BicubicSamples samples;
+    samples.fill(BicubicSample{Point{unit, 0.0, 0.0, 0.0}, Point{0.0, unit, 0.0, 0.0},
+                               Point{0.0, 0.0, 0.3 * unit, 0.0}, Point{},
+                               Point{0.0, 0.0, 0.3 * unit, 0.0}});
+    const BicubicErrors errors = bicubic_errors(samples, SurfacePoints::kLimit);
+    EXPECT_NEAR(errors.outwards, 0.075 * unit, 1e-6 * unit);
+    EXPECT_NEAR(errors.within, 0.0, 1e-6 * unit);
+    EXPECT_NEAR(errors.turn, 0.0, 1e-6);
+    // Where subdivision puts them, corners stand off by a sixth of both.
+    EXPECT_NEAR(bicubic_errors(samples, SurfacePoints::kLevel).outwards, 0.1 * unit, 1e-6 * unit);
+  }
+}
+
+TEST(BicubicErrors, OfAPlaneAreWithinIt) {
+  BicubicSamples samples;
+  samples.fill(BicubicSample{Point{1.0, 0.0, 0.0, 0.0}, Point{0.0, 1.0, 0.0, 0.0},
+                             Point{0.6, 0.0, 0.0, 0.0}, Point{}, Point{}});
+  const BicubicErrors errors = bicubic_errors(samples, SurfacePoints::kLimit);
+  EXPECT_EQ(errors.outwards, 0.0);
+  EXPECT_NEAR(errors.within, 0.1, 1e-6);
+  samples.fill(BicubicSample{});
+  EXPECT_EQ(bicubic_errors(samples, SurfacePoints::kLimit).outwards, 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Points, FaceErrors,
