@@ -170,6 +170,23 @@ TEST(Budget, IsNeverExceededAndNearlySpent) {
   }
 }
 
+TEST(Budget, LeavesLittleUnspent) {
+  const MeshPointer mesh = bundled_mesh("creature");
+  SubdivisionSettings settings;
+  settings.points = SurfacePoints::kLimit;
+  IgnoreProgress progress;
+  for (const std::uint64_t most : {1'500U, 4'000U, 9'000U, 30'000U, 100'000U}) {
+    for (const FaceBudget::Goal goal :
+         {FaceBudget::Goal::kMeanSquare, FaceBudget::Goal::kGreatest}) {
+      const BudgetedDepths found =
+          depths_for_budget(*mesh, settings, {{most, FaceBudget::Unit::kFaces, goal}, {}}, progress)
+              .value();
+      EXPECT_GE(found.count, most - 3 * most / 100) << most;
+      EXPECT_LE(found.count, most);
+    }
+  }
+}
+
 TEST(Budget, CountsTriangles) {
   const MeshPointer mesh = bundled_mesh("mixed");
   SubdivisionSettings settings;

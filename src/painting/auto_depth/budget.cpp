@@ -1,10 +1,13 @@
-// All steps of all faces are sorted once, the most rewarding first. How many of them the budget
-// allows is found like the zero of a function that is nearly known: nominal costs foretell where to
-// probe, counting tells.
+// All steps of all faces are sorted once, the most rewarding first; by classes of gains that differ
+// by less than a hundredth, which is linear. How many of them the budget allows is found like the
+// zero of a function that is nearly known: nominal costs foretell where to probe, counting tells.
 #include "limn/painting/auto_depth/budget.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <span>
@@ -34,12 +37,12 @@ struct Step {
 
 /// Shares of the greatest error at the level that an even painting could afford, below which errors
 /// need not be told apart.
-constexpr double kSmallestErrorThatCounts = 1e-3;
+constexpr double kSmallestErrorThatCounts = 0.05;
 
-/// Counts are probed at most so often: by then the place is known to a step, or to a thousandth of
-/// the budget.
+/// Counts are probed at most so often: by then the place is known to a step, or what is left of the
+/// budget is less than this part of it.
 constexpr int kMostProbes = 24;
-constexpr std::uint64_t kFineEnough = 1000;
+constexpr std::uint64_t kFineEnough = 200;
 
 /// Of the triangles around the first corner, added as vectors: a planar face's area.
 double area_of(const ControlMesh& mesh, std::size_t f) {
@@ -63,19 +66,24 @@ class Counter {
   /// Of proposed depths, once they are finished.
   [[nodiscard]] Result<std::uint64_t> count(const FaceDepths& proposed) const {
     const FaceDepths depths = task_->finish ? task_->finish(proposed) : proposed;
+    if (task_->demands == nullptr && depths.deepest() == 0) {
+      return count_labels(VertexLabels(mesh_->vertex_count(), 0), nullptr);
+    }
     const Result<LabelsWithDemands> labels = legal_labels(
         *mesh_, depths.values(), task_->demands != nullptr ? *task_->demands : FineDemands(),
         *settings_, *progress_);
     if (!labels) {
       return tl::unexpected(labels.error());
     }
-    const std::uint64_t faces =
-        predict_refinement(*mesh_, labels->legal.labels, kAllLevels, labels->fine.get()).faces;
-    return task_->budget.unit == FaceBudget::Unit::kFaces ? faces
-                                                          : triangles(faces, labels->legal.labels);
+    return count_labels(labels->legal.labels, labels->fine.get());
   }
 
  private:
+  [[nodiscard]] std::uint64_t count_labels(const VertexLabels& labels,
+                                           const FineLabels* fine) const {
+    const std::uint64_t faces = predict_refinement(*mesh_, labels, kAllLevels, fine).faces;
+    return task_->budget.unit == FaceBudget::Unit::kFaces ? faces : triangles(faces, labels);
+  }
   /// All faces are quads but those that are none and stay.
   [[nodiscard]] std::uint64_t triangles(std::uint64_t faces, const VertexLabels& labels) const {
     std::uint64_t total = 2 * faces;
@@ -113,6 +121,26 @@ int even_depth(const ControlMesh& mesh, std::uint64_t most) {
   return depth;
 }
 
+/// About the greatest error of unrefined faces: vertices stand off the mean of their neighbours by
+/// about twice as much.
+double rough_error(const ControlMesh& mesh) {
+  const FlatTopology& topology = mesh.topology();
+  std::vector<glm::dvec3> sums(mesh.vertex_count(), glm::dvec3(0.0));
+  std::vector<std::uint32_t> counts(mesh.vertex_count(), 0);
+  for (const auto& [a, b] : topology.edge_vertices) {
+    sums[a] += mesh.positions()[b];
+    sums[b] += mesh.positions()[a];
+    ++counts[a];
+    ++counts[b];
+  }
+  double greatest = 0.0;
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const glm::dvec3 off = mesh.positions()[v] - sums[v] / static_cast<double>(counts[v]);
+    greatest = std::max(greatest, glm::dot(off, off));
+  }
+  return 0.5 * std::sqrt(greatest);
+}
+
 Result<std::vector<LevelErrors>> errors_for(const ControlMesh& mesh,
                                             const SubdivisionSettings& settings,
                                             const FaceBudget& budget, Progress& progress) {
@@ -120,20 +148,9 @@ Result<std::vector<LevelErrors>> errors_for(const ControlMesh& mesh,
   options.corners = settings.corners;
   options.points = settings.points;
   const int first_step = first_step_levels(mesh, settings);
-  const int even = even_depth(mesh, budget.most);
-  // First roughly: how large errors are that such a budget leaves.
-  options.deepest = even + first_step;
-  options.enough = 1e-3 * mesh.bounds().diagonal();
-  auto rough = face_errors(mesh, options, progress);
-  if (!rough) {
-    return rough;
-  }
-  float greatest = 0.0F;
-  for (const LevelErrors& errors : *rough) {
-    greatest = std::max(greatest, at_level(errors, even + first_step));
-  }
   options.deepest = deepest_affordable(mesh, budget.most) + first_step;
-  options.enough = kSmallestErrorThatCounts * greatest;
+  options.enough = kSmallestErrorThatCounts *
+                   std::ldexp(rough_error(mesh), -2 * (even_depth(mesh, budget.most) + first_step));
   return face_errors(mesh, options, progress);
 }
 
@@ -142,12 +159,32 @@ double random_wait(std::mt19937& random) {
   return -std::log((static_cast<double>(random()) + 1.0) / 4294967296.0) + 1e-9;
 }
 
+/// The class of a positive gain: its exponent and seven more bits. Greater gains come first.
+std::size_t class_of(float gain) noexcept {
+  return 0x7FFFU - (std::bit_cast<std::uint32_t>(gain) >> 16U);
+}
+
+/// By classes, the order within each left as it is.
+std::vector<Step> sorted_by_class(const std::vector<Step>& steps) {
+  std::vector<std::uint32_t> firsts(0x8001, 0);
+  for (const Step& step : steps) {
+    ++firsts[class_of(step.gain) + 1];
+  }
+  std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
+  std::vector<Step> sorted(steps.size());
+  for (const Step& step : steps) {
+    sorted[firsts[class_of(step.gain)]++] = step;
+  }
+  return sorted;
+}
+
 /// Every step of every face, the most rewarding first; of each face they stay in order.
 std::vector<Step> ordered_steps(const ControlMesh& mesh, const SubdivisionSettings& settings,
                                 const FaceBudget& budget, std::span<const LevelErrors> errors) {
   const int first_step = first_step_levels(mesh, settings);
   const int deepest = deepest_affordable(mesh, budget.most);
   std::vector<Step> steps;
+  steps.reserve(3 * errors.size());
   std::mt19937 random(1);
   for (std::uint32_t f = 0; f < errors.size(); ++f) {
     const double area = area_of(mesh, f);
@@ -177,10 +214,7 @@ std::vector<Step> ordered_steps(const ControlMesh& mesh, const SubdivisionSettin
       steps.push_back({static_cast<float>(gain), f, static_cast<std::uint8_t>(depth + 1)});
     }
   }
-  std::ranges::stable_sort(steps, [](const Step& a, const Step& b) {
-    return a.gain != b.gain ? a.gain > b.gain : a.depth < b.depth;
-  });
-  return steps;
+  return sorted_by_class(steps);
 }
 
 FaceDepths depths_after(std::span<const Step> steps, std::size_t faces) {
@@ -206,20 +240,73 @@ struct Probe {
   std::uint64_t count = 0;
 };
 
-/// Where to look next between what fits and what does not.
-std::size_t next_probe(const Probe& fits, const Probe& exceeds, std::uint64_t most,
-                       std::span<const double> nominal, bool bisects) {
-  const std::size_t first = fits.steps + 1;
-  const std::size_t last = exceeds.steps - 1;
-  if (bisects) {
-    return first + (last - first) / 2;
+/// Looks for how many steps fit.
+class Prober {
+ public:
+  /// `nominal` are the sums of costs; with no step it is `least`.
+  Prober(std::span<const double> nominal, std::uint64_t least, std::uint64_t most)
+      : nominal_(nominal), least_(least), most_(most), fits_{0, least} {}
+
+  [[nodiscard]] const Probe& fits() const noexcept { return fits_; }
+  /// Where to look next; nothing where it is known, or well enough.
+  [[nodiscard]] std::optional<std::size_t> next();
+  void learn(const Probe& probe) {
+    before_ = std::exchange(last_, probe);
+    if (probe.count <= most_) {
+      fits_ = probe;
+    } else {
+      exceeds_ = probe;
+    }
   }
-  const double share =
-      static_cast<double>(most - fits.count) / static_cast<double>(exceeds.count - fits.count);
-  const double wanted =
-      nominal[fits.steps] + share * (nominal[exceeds.steps] - nominal[fits.steps]);
-  const auto at = std::ranges::lower_bound(nominal, wanted) - nominal.begin();
-  return std::clamp(static_cast<std::size_t>(at), first, last);
+
+ private:
+  /// The sum that is expected to give a little less than the budget.
+  [[nodiscard]] double expected() const;
+
+  std::span<const double> nominal_;
+  std::uint64_t least_;
+  std::uint64_t most_;
+  Probe fits_;
+  std::optional<Probe> exceeds_;
+  Probe last_;  ///< The last probe and the one before; no steps: none.
+  Probe before_;
+  int probes_ = 0;
+};
+
+std::optional<std::size_t> Prober::next() {
+  const std::size_t end = exceeds_ ? exceeds_->steps : nominal_.size();
+  if (probes_ == kMostProbes || end - fits_.steps <= 1 ||
+      most_ - fits_.count <= most_ / kFineEnough) {
+    return std::nullopt;
+  }
+  ++probes_;
+  const double low = nominal_[fits_.steps];
+  double wanted = expected();
+  if (exceeds_ && probes_ > 3 && (probes_ % 2 == 0 || wanted <= low)) {
+    wanted = 0.5 * (low + nominal_[exceeds_->steps]);
+  }
+  const auto at = std::ranges::lower_bound(nominal_, wanted) - nominal_.begin();
+  return std::clamp(static_cast<std::size_t>(at), fits_.steps + 1, end - 1);
+}
+
+/// What labels and legalisation add makes counts rise with a power of the nominal costs, a little
+/// less than 1 at first.
+double Prober::expected() const {
+  const double room = static_cast<double>(most_ - least_) -
+                      0.5 * static_cast<double>(most_) / static_cast<double>(kFineEnough);
+  if (last_.steps == 0) {
+    return 0.75 * room;
+  }
+  const auto risen = [this](const Probe& probe) {
+    return std::max(1.0, static_cast<double>(probe.count) - static_cast<double>(least_));
+  };
+  double power = 0.9;
+  if (before_.steps != 0 && before_.steps != last_.steps) {
+    power = std::log(risen(last_) / risen(before_)) /
+            std::log(nominal_[last_.steps] / nominal_[before_.steps]);
+    power = std::clamp(power, 0.4, 2.0);
+  }
+  return nominal_[last_.steps] * std::pow(std::max(room, 1.0) / risen(last_), 1.0 / power);
 }
 
 }  // namespace
@@ -252,41 +339,16 @@ Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,
   }
   const std::vector<Step> steps = ordered_steps(mesh, settings, budget, *errors);
   const std::vector<double> nominal = nominal_costs(steps);
-  // More steps than this cannot fit, whatever labels have in common.
-  const double room = static_cast<double>(budget.most);
-  const auto beyond =
-      static_cast<std::size_t>(std::ranges::upper_bound(nominal, 2.0 * room) - nominal.begin());
-
-  Probe fits{0, *least};
-  std::optional<Probe> exceeds;
-  for (int i = 0; i < kMostProbes; ++i) {
-    std::size_t at = 0;
-    if (!exceeds) {
-      // Labels and legalisation add about as much again where the painting is in small pieces.
-      at = std::min(steps.size(),
-                    i == 0 ? static_cast<std::size_t>(
-                                 std::ranges::lower_bound(nominal, 0.6 * room) - nominal.begin())
-                           : std::max(beyond, 2 * fits.steps));
-    } else if (exceeds->steps - fits.steps <= 1 ||
-               budget.most - fits.count <= budget.most / kFineEnough) {
-      break;
-    } else {
-      at = next_probe(fits, *exceeds, budget.most, nominal, i % 3 == 2);
-    }
-    if (at == fits.steps) {
-      break;
-    }
-    const Result<std::uint64_t> count = probe(std::span(steps).first(at));
+  Prober prober(nominal, *least, budget.most);
+  while (const std::optional<std::size_t> at = prober.next()) {
+    const Result<std::uint64_t> count = probe(std::span(steps).first(*at));
     if (!count) {
       return tl::unexpected(count.error());
     }
-    if (*count <= budget.most) {
-      fits = {at, *count};
-    } else {
-      exceeds = {at, *count};
-    }
+    prober.learn({*at, *count});
   }
 
+  const Probe& fits = prober.fits();
   BudgetedDepths result;
   result.count = fits.count;
   result.chosen.depths = depths_after(std::span(steps).first(fits.steps), mesh.face_count());
