@@ -104,7 +104,7 @@ class Comparison {
       uniform_limit_.push_back(try_uniform(at_limit_, level));
     }
     const double greatest = uniform_level_.back().greatest;
-    approach_by_tolerance(at_level_, Figure::kGreatest, greatest, tolerance_level_);
+    approach_by_tolerance(at_level_, Figure::kGreatest, greatest, level(), tolerance_level_);
     approach_at_limit(Figure::kGreatest, greatest);
     approach_at_limit(Figure::kGreatest, uniform_limit_.back().greatest);
     approach_at_limit(Figure::kRootMeanSquare, uniform_limit_.back().root_mean_square);
@@ -135,12 +135,14 @@ class Comparison {
  private:
   /// Fewest faces for a figure of a uniform mesh, with vertices on the limit surface.
   void approach_at_limit(Figure figure, double target) {
-    approach_by_tolerance(at_limit_, figure, target, tolerance_limit_);
+    approach_by_tolerance(at_limit_, figure, target, level(), tolerance_limit_);
     const Trial* const known = fewest_faces(tolerance_limit_, figure, target);
     approach_by_budget(at_limit_, figure, target,
                        known != nullptr ? known->faces : uniform_limit_.back().faces,
                        figure == Figure::kGreatest ? budget_greatest_ : budget_rms_);
   }
+
+  [[nodiscard]] int level() const { return static_cast<int>(uniform_limit_.size()) - 1; }
 
   /// Fewer faces: what a coarser uniform mesh reaches.
   void add_to_curves(std::size_t level) {
@@ -187,7 +189,7 @@ json compare_small(const SmallMesh& small) {
   json targets = json::array();
   for (const double target : {uniform.greatest, std::sqrt(uniform.greatest * coarser)}) {
     std::vector<Trial> by_tolerance;
-    approach_by_tolerance(subject, Figure::kGreatest, target, by_tolerance);
+    approach_by_tolerance(subject, Figure::kGreatest, target, level, by_tolerance);
     std::vector<Trial> by_budget;
     approach_by_budget(subject, Figure::kGreatest, target, uniform.faces, by_budget);
     targets.push_back({{"target", target},

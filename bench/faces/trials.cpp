@@ -11,6 +11,7 @@
 #include "limn/comparison/limit_distance.h"
 #include "limn/contract.h"
 #include "limn/painting/auto_depth/tolerance.h"
+#include "limn/subdivision/face_errors.h"
 #include "limn/subdivision/label_subdivision.h"
 
 namespace limn::bench {
@@ -30,6 +31,21 @@ Trial measure_depths(const Subject& subject, const FaceDepths& depths, double as
   Trial trial = measure(subject, legal->labels);
   trial.asked = asked;
   return trial;
+}
+
+/// What is expected of a uniform mesh, in diagonals.
+double expected_of_uniform(const Subject& subject, int level) {
+  FaceErrorOptions options;
+  options.corners = subject.settings.corners;
+  options.points = subject.settings.points;
+  IgnoreProgress progress;
+  const auto errors = face_errors(*subject.mesh, options, progress);
+  LIMN_EXPECTS(errors.has_value());
+  double greatest = 0.0;
+  for (const LevelErrors& of_face : *errors) {
+    greatest = std::max<double>(greatest, at_level(of_face, level));
+  }
+  return greatest / subject.mesh->bounds().diagonal();
 }
 
 /// How coarse meshes may be: a tolerance, or the reciprocal of a budget.
@@ -131,12 +147,16 @@ Trial try_budget(const Subject& subject, std::uint64_t faces, FaceBudget::Goal g
   return trial;
 }
 
-void approach_by_tolerance(const Subject& subject, Figure figure, double target,
+void approach_by_tolerance(const Subject& subject, Figure figure, double target, int level,
                            std::vector<Trial>& trials) {
   // What is measured is some three quarters of a tolerance, the mean a fifth of the greatest.
   const Search search{[&](double tolerance) { return try_tolerance(subject, tolerance); },
                       [](const Trial& trial) { return trial.asked; },
                       target * (figure == Figure::kGreatest ? 1.35 : 6.0)};
+  if (figure == Figure::kGreatest) {
+    // Where errors are much alike, the tolerance that is just met by a uniform mesh.
+    trials.push_back(search.try_one(1.0001 * expected_of_uniform(subject, level)));
+  }
   approach(search, figure, target, trials);
 }
 

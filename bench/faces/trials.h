@@ -44,8 +44,9 @@ struct Subject {
 [[nodiscard]] Trial try_budget(const Subject& subject, std::uint64_t faces, FaceBudget::Goal goal);
 
 /// Looks for the fewest faces with which `figure` is at most `target` (in diagonals), with some
-/// tolerances, or some budgets from `faces` on. All that was tried is added to `trials`.
-void approach_by_tolerance(const Subject& subject, Figure figure, double target,
+/// tolerances, or some budgets from `faces` on. All that was tried is added to `trials`. The target
+/// is about that of the uniform mesh of a level.
+void approach_by_tolerance(const Subject& subject, Figure figure, double target, int level,
                            std::vector<Trial>& trials);
 void approach_by_budget(const Subject& subject, Figure figure, double target, std::uint64_t faces,
                         std::vector<Trial>& trials);

@@ -39,18 +39,21 @@ VertexLabels legal(const ControlMesh& mesh, const FaceDepths& depths,
   return legal_labels(mesh, depths.values(), settings, progress).value().labels;
 }
 
-/// The greatest distance of the refined painting to the limit surface.
-double measured(const ControlMesh& mesh, const FaceDepths& depths,
-                const SubdivisionSettings& settings) {
+/// The distance of the refined painting to the limit surface.
+LimitDistance distance_of(const ControlMesh& mesh, const FaceDepths& depths,
+                          const SubdivisionSettings& settings) {
   IgnoreProgress progress;
   const VertexLabels labels = legal(mesh, depths, settings);
   const RefinedMesh refined = refine(mesh, labels, settings, {}, progress).value();
   LimitDistanceLimits limits;  // A quick look: figures to some per cent.
   limits.samples = std::size_t{1} << 13;
   limits.change = 0.1;
-  return measure_limit_distance(mesh, labels, settings, refined, progress, limits)
-      .value()
-      .greatest();
+  return measure_limit_distance(mesh, labels, settings, refined, progress, limits).value();
+}
+
+double measured(const ControlMesh& mesh, const FaceDepths& depths,
+                const SubdivisionSettings& settings) {
+  return distance_of(mesh, depths, settings).greatest();
 }
 
 std::uint64_t faces_of(const ControlMesh& mesh, const FaceDepths& depths,
@@ -185,6 +188,24 @@ TEST(Budget, LeavesLittleUnspent) {
       EXPECT_LE(found.count, most);
     }
   }
+}
+
+TEST(Budget, LeavesNoMoreErrorThanTheEvenPaintingThatFits) {
+  // Detail is even on the creature, and two levels of everything take no seams.
+  const MeshPointer mesh = bundled_mesh("creature");
+  SubdivisionSettings settings;
+  settings.points = SurfacePoints::kLimit;
+  IgnoreProgress progress;
+  FaceDepths even(mesh->face_count());
+  for (std::size_t f = 0; f < even.size(); ++f) {
+    even.set(f, 2);
+  }
+  const std::uint64_t most = faces_of(*mesh, even, settings) + 50;
+  const BudgetedDepths found =
+      depths_for_budget(*mesh, settings, {{most, FaceBudget::Unit::kFaces}, {}}, progress).value();
+  EXPECT_LE(found.count, most);
+  EXPECT_LE(distance_of(*mesh, found.chosen.depths, settings).root_mean_square(),
+            1.001 * distance_of(*mesh, even, settings).root_mean_square());
 }
 
 TEST(Budget, CountsTriangles) {

@@ -240,6 +240,33 @@ struct Probe {
   std::uint64_t count = 0;
 };
 
+/// What a painting leaves of the errors, in the sense of the goal: as faces are refined at their
+/// coarsest corner, before legalisation. Neighbours refine more of a face than it asks for itself.
+double error_left(const ControlMesh& mesh, const FaceDepths& depths, int first_step,
+                  FaceBudget::Goal goal, std::span<const LevelErrors> errors) {
+  const VertexLabels labels = vertex_labels(mesh, depths.values());
+  const int more = depths.deepest() > 0 ? first_step : 0;
+  double left = 0.0;
+  for (std::size_t f = 0; f < errors.size(); ++f) {
+    int level = kMaxDepth;
+    for (const std::uint32_t v : mesh.face(f)) {
+      level = std::min<int>(level, labels[v]);
+    }
+    const double error = at_level(errors[f], level + more);
+    left = goal == FaceBudget::Goal::kMeanSquare ? left + error * error * area_of(mesh, f)
+                                                 : std::max(left, error);
+  }
+  return left;
+}
+
+FaceDepths even_depths(std::size_t faces, int depth) {
+  FaceDepths depths(faces);
+  for (std::size_t f = 0; f < faces; ++f) {
+    depths.set(f, depth);
+  }
+  return depths;
+}
+
 /// Looks for how many steps fit.
 class Prober {
  public:
@@ -349,12 +376,27 @@ Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,
   }
 
   const Probe& fits = prober.fits();
+  const int first_step = first_step_levels(mesh, settings);
   BudgetedDepths result;
   result.count = fits.count;
   result.chosen.depths = depths_after(std::span(steps).first(fits.steps), mesh.face_count());
-  const int first_step = fits.steps > 0 ? first_step_levels(mesh, settings) : 0;
+  // Where all faces need about the same and the budget is about an even painting's, that has no
+  // seams between levels to pay for.
+  const FaceDepths even = even_depths(mesh.face_count(), even_depth(mesh, budget.most));
+  if (budget.goal != FaceBudget::Goal::kRandom && even.deepest() > 0 &&
+      error_left(mesh, even, first_step, budget.goal, *errors) <
+          error_left(mesh, result.chosen.depths, first_step, budget.goal, *errors)) {
+    const Result<std::uint64_t> count = counter.count(even);
+    if (!count) {
+      return tl::unexpected(count.error());
+    }
+    if (*count <= budget.most) {
+      result = {{even, 0.0, 0}, *count};
+    }
+  }
+  const int more = result.chosen.depths.deepest() > 0 ? first_step : 0;
   for (std::size_t f = 0; f < errors->size(); ++f) {
-    const float error = at_level((*errors)[f], result.chosen.depths[f] + first_step);
+    const float error = at_level((*errors)[f], result.chosen.depths[f] + more);
     result.chosen.expected_error = std::max<double>(result.chosen.expected_error, error);
   }
   return result;
