@@ -235,6 +235,11 @@ ErrorParts PatchErrors::measure(const PatchGrid& face, const PatchGrid& next) co
   if (diagonal != Diagonal::kUp) {
     add(limits[4] - (corners[1] + corners[3]) * 0.5, 4);
   }
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (wish_->is_creased && has(face.patch_corners, i) && patch_->corners[i].ring.exists()) {
+      normals[kCorners[i]] = normals[4];  // That of another side would make much of a flat one.
+    }
+  }
   parts.turn = Normals(normals).turn();
   return parts;
 }

@@ -215,6 +215,44 @@ TEST_P(FaceErrors, AreNothingAroundIrregularVerticesInAPlane) {
   EXPECT_GE(irregular, 3U);
 }
 
+TEST(FaceErrorsOptions, NothingIsOffOnAFlatCapBesideACrease) {
+  // The top of a box, unevenly divided, with walls and a crease around it. Faces beside the middle
+  // of a side lie in the plane; the crease is straight there, and the walls are others' business.
+  constexpr std::uint32_t kSide = 8;
+  constexpr std::array kPlaces{0.0, 1.0, 2.3, 3.1, 4.4, 5.2, 6.5, 7.2, 8.4};
+  PolygonSoup soup = test::grid_soup(kSide, kSide);
+  for (std::uint32_t v = 0; v < soup.positions.size(); ++v) {
+    soup.positions[v] = {kPlaces[v % (kSide + 1)], kPlaces[v / (kSide + 1)], 0.0};
+  }
+  std::vector<std::uint32_t> rim;
+  for (std::uint32_t i = 0; i < 4 * kSide; ++i) {
+    const std::uint32_t at = i % kSide;
+    const std::array<std::uint32_t, 4> columns{at, kSide, kSide - at, 0};
+    const std::array<std::uint32_t, 4> rows{0, at, kSide, kSide - at};
+    rim.push_back(rows[i / kSide] * (kSide + 1) + columns[i / kSide]);
+  }
+  const auto first_low = static_cast<std::uint32_t>(soup.positions.size());
+  for (const std::uint32_t v : rim) {
+    soup.positions.push_back(soup.positions[v] - glm::dvec3(0.0, 0.0, 2.0));
+  }
+  for (std::uint32_t i = 0; i < rim.size(); ++i) {
+    const auto next = static_cast<std::uint32_t>((i + 1) % rim.size());
+    soup.add_face(std::array{rim[next], rim[i], first_low + i, first_low + next});
+  }
+  const MeshPointer smooth = test::control_mesh(soup);
+  MeshAttributes attributes;
+  for (const auto& [a, b] : smooth->topology().edge_vertices) {
+    const bool is_rim = std::ranges::count(rim, a) + std::ranges::count(rim, b) == 2;
+    attributes.creases.edge_sharpness.push_back(is_rim ? kInfiniteSharpness : 0.0F);
+  }
+  const ControlMesh box = smooth->with_attributes(attributes);
+  IgnoreProgress progress;
+  const auto errors = face_errors(box, {}, progress).value();
+  for (const std::size_t f : {3U, 4U}) {
+    EXPECT_LT(errors[f][1], 1e-6F) << f;
+  }
+}
+
 TEST(BicubicErrors, OfAParaboloidAreAQuarterOfItsBend) {
   // Whatever the unit of length: chords along diagonals span sqrt(2), and bend by 2 / 8.
   for (const double unit : {1e-12, 1.0, 1e12}) {
