@@ -155,9 +155,11 @@ Workbench::Frame Workbench::frame(const ui::InputFrame& input, const Screen& scr
   session_.set_aspect(place_.size.aspect());
   sync_scene();
   ScenePicker picker(*scene_, session_, place_.size);
+  const bool was_stroking = session_.is_stroking();  // A fine stroke paints when it ends.
   controller_.update(gui.viewport_input, place_, session_, picker);
   session_.begin_refining();
-  if (session_.is_stroking() && session_.document().revisions.depths != newest_.depths) {
+  if ((was_stroking || session_.is_stroking()) &&
+      session_.document().revisions.depths != newest_.depths) {
     newest_ = {session_.document().revisions.depths, std::min(input.time, now)};
     if (!awaited_) {
       awaited_ = newest_;
