@@ -88,9 +88,9 @@ How many faces a mesh needs to be as near to its limit surface as a uniform one,
 
 {summary(meshes)}
 
-So depths by themselves pay where detail is uneven. With both on the limit surface: {names(pays)}. Where every face needs about the same there is little to be had: {names(rest)}. And it is behind, at
-this distance, on {names(behind)}: beside semi-sharp creases and on uneven triangles less error is measured than was expected, and a uniform mesh needs no expectation. Uniform meshes are asked for
-no more than they reach; at a distance that somebody [asks for](#at-a-distance-that-is-asked-for) they often need a whole level more. None of this is about painting by intent, where what shall stay coarse does.
+So depths by themselves pay where detail is uneven. With both on the limit surface: {names(pays)}. Where every face needs about the same there is little to be had: {names(rest)}. They are behind
+on {names(behind)}: beside semi-sharp creases and on uneven triangles far more error is expected than is then measured, and what is just above a tolerance costs a whole level; a uniform mesh
+is held here against nothing but what it reaches. (In brackets: the uniform mesh's faces over those of the best of Limn's.) None of this is about painting by intent, where what shall stay coarse does.
 
 ![Greatest distance against faces](faces.svg)"""
 
@@ -226,7 +226,7 @@ def method(meshes):
 - Distances are Hausdorff distances between the refined mesh, as triangles, and the Catmull-Clark limit surface with creases and boundary, in both directions, sampled until twice as many samples
   change them by less than a fiftieth or a million have been taken (as `limn compare --to limit` does, which goes on for longer). The r.m.s. is over the areas of both.
 - The uniform mesh has as many levels as stay below 26,000 faces, four at the most. Its measured distance is the target. The tolerance and the budget that reach it are sought by trying five of
-  each or less; counted is the mesh with the fewest faces that was measured to be no further off than the target.
+  each or less; counted is the mesh with the fewest faces that was measured to be no further off than the target. A dash: none of these was near enough; means leave it out.
 - All settings are those that `limn` starts with: look-ahead legalisation and, on meshes with faces that are no quads, a uniform first step.
 - Patches: OpenSubdiv's tables with Gregory end caps and infinitely sharp patches, isolated level by level until the greatest distance at equal parameters, in 81 places of every quad, from a
   table with nine levels is within the same distance.
