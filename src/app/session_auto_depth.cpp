@@ -139,6 +139,13 @@ bool Session::perform_depth_choice(const ui::Action& action) {
       value = number(std::holds_alternative<ChooseByTolerance>(choose.choice) ? 3 : 2);
       choose.choice = ui::with_unit(choose.choice, value.value_or(0), diagonal);
       break;
+    case kToggleMeasuredDepths:
+      if (auto* tolerance = std::get_if<ChooseByTolerance>(&choose.choice)) {
+        const auto* wanted = std::get_if<bool>(&action.value);
+        tolerance->is_measured = wanted != nullptr ? *wanted : !tolerance->is_measured;
+        value = 0;
+      }
+      break;
     case kSetBudgetGoal:
       value = number(3);
       if (auto* budget = std::get_if<FaceBudget>(&choose.choice)) {

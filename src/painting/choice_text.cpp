@@ -20,6 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kChoiceWords{"tolerance", "budget", "screen", "curve"};
 constexpr std::array<std::string_view, 4> kMergeWords{"set", "max", "min", "add"};
 constexpr std::array<std::string_view, 3> kGoalWords{"rms", "greatest", "random"};
+constexpr std::string_view kMeasured = "measured";
 constexpr int kMostSilhouetteLevels = 3;
 
 /// A choice cut into its parts.
@@ -98,8 +99,14 @@ Result<void> expect_values(const Parts& parts, std::size_t most) {
 }
 
 Result<DepthChoice> parse_tolerance(const Parts& parts) {
-  if (auto sound = expect_values(parts, 1); !sound) {
+  if (auto sound = expect_values(parts, 2); !sound) {
     return tl::unexpected(std::move(sound.error()));
+  }
+  const bool is_measured = parts.values.size() == 2;
+  if (is_measured && parts.values[1] != kMeasured) {
+    return misread(
+        fmt::format("{} after \"tolerance={}\" is no word for how; write \"{}\", or nothing.",
+                    shown(parts.values[1]), parts.values.front(), kMeasured));
   }
   using Unit = ChooseByTolerance::Unit;
   const auto quantity = read_quantity(parts.values.front());
@@ -120,7 +127,7 @@ Result<DepthChoice> parse_tolerance(const Parts& parts) {
       return tl::unexpected(std::move(sound.error()));
     }
   }
-  return DepthChoice(ChooseByTolerance{quantity->value, unit, parts.views});
+  return DepthChoice(ChooseByTolerance{quantity->value, unit, parts.views, is_measured});
 }
 
 Result<DepthChoice> parse_budget(const Parts& parts) {
@@ -251,7 +258,9 @@ struct ChoiceText {
     const char* unit = choice.unit == Unit::kLength      ? ""
                        : choice.unit == Unit::kDiagonals ? "d"
                                                          : "px";
-    return fmt::format("tolerance={}{}{}", choice.distance, unit, view_text(choice.views));
+    return fmt::format("tolerance={}{}{}{}", choice.distance, unit,
+                       choice.is_measured ? fmt::format(",{}", kMeasured) : std::string{},
+                       view_text(choice.views));
   }
   std::string operator()(const FaceBudget& budget) const {
     return fmt::format("budget={}{}{}", budget.most,

@@ -56,8 +56,12 @@ struct Choose {
 
   Chosen operator()(const ChooseByTolerance& choice) const {
     const auto distances = distances_of(mesh, choice, context, progress);
-    return distances ? depths_for_tolerance(mesh, context.settings, *distances, progress)
-                     : Chosen(tl::unexpected(distances.error()));
+    if (!distances) {
+      return tl::unexpected(distances.error());
+    }
+    return choice.is_measured
+               ? depths_for_measured_tolerance(mesh, context.settings, *distances, progress)
+               : depths_for_tolerance(mesh, context.settings, *distances, progress);
   }
   Chosen operator()(const FaceBudget& budget) const {
     return depths_for_budget(mesh, context.settings, {budget, finish, context.demands}, progress)

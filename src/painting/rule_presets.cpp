@@ -29,7 +29,7 @@ std::span<const RulePreset> bundled_presets() {
       {"draft", "At most 5,000 faces, where they count most.", "budget=5000\n"},
       {"game", "At most 20,000 triangles, where they count most.", "budget=20000t\n"},
       {"print", "Within 0.05 % of the diagonal: no facets on a 3D print of 20 cm.",
-       "tolerance=0.0005d\n"},
+       "tolerance=0.0005d,measured\n"},
       {"exact", "Within 0.01 % of the diagonal, for measuring and milling.", "tolerance=0.0001d\n"},
       {"still", "For a picture from this view: nowhere half a pixel beside the limit surface.",
        "tolerance=0.5px\n"},

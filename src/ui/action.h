@@ -49,19 +49,20 @@ enum class ActionId : std::uint8_t {
   kClearFine,       ///< What is painted finer than control faces.
 
   // Depths that come about by themselves (auto_depth_model.h)
-  kChooseDepths,       ///< As the panel is set, or as a preset says.
-  kSetDepthSource,     ///< int, a DepthSource.
-  kSetDepthRules,      ///< std::string rules, one a line (paint_rule.h).
-  kSetDepthUnit,       ///< int: what the amount is counted in (unit_of).
-  kSetBudgetGoal,      ///< int, a FaceBudget::Goal.
-  kSetSilhouettes,     ///< int, 0..kMostSilhouettes levels more.
-  kSetCurveMeasure,    ///< int, a FaceMeasure.
-  kSetDepthMerge,      ///< int, a DepthMerge.
-  kSetDepthWithin,     ///< std::string selection (paint_rule.h); empty: all faces.
-  kSetDepthAmount,     ///< double: the quantity that the source is about first (main_amount).
-  kToggleLiveDepths,   ///< The painting follows what is set.
-  kToggleLimitDepths,  ///< Rules that aim at the limit surface put vertices on it.
-  kKeepView,           ///< Sizes on the screen are held in this view as well.
+  kChooseDepths,          ///< As the panel is set, or as a preset says.
+  kSetDepthSource,        ///< int, a DepthSource.
+  kSetDepthRules,         ///< std::string rules, one a line (paint_rule.h).
+  kSetDepthUnit,          ///< int: what the amount is counted in (unit_of).
+  kToggleMeasuredDepths,  ///< Tolerances: what a measurement shows to be needless is taken back.
+  kSetBudgetGoal,         ///< int, a FaceBudget::Goal.
+  kSetSilhouettes,        ///< int, 0..kMostSilhouettes levels more.
+  kSetCurveMeasure,       ///< int, a FaceMeasure.
+  kSetDepthMerge,         ///< int, a DepthMerge.
+  kSetDepthWithin,        ///< std::string selection (paint_rule.h); empty: all faces.
+  kSetDepthAmount,        ///< double: the quantity that the source is about first (main_amount).
+  kToggleLiveDepths,      ///< The painting follows what is set.
+  kToggleLimitDepths,     ///< Rules that aim at the limit surface put vertices on it.
+  kKeepView,              ///< Sizes on the screen are held in this view as well.
   kForgetViews,
   kUsePreset,      ///< std::string name.
   kSavePreset,     ///< std::string name.

@@ -86,6 +86,9 @@ constexpr std::array<ActionInfo, kActionCount> kTable{{
     {kSetDepthUnit, kPaint, ValueKind::kInt, "Counted in",
      "What the amount is counted in: parts of the mesh's diagonal, its units or pixels; faces or "
      "triangles; the length of edges or the area of faces."},
+    {kToggleMeasuredDepths, kPaint, ValueKind::kToggle, "Measure while choosing",
+     "Take back every level that a measurement shows to be needless. Slower, and fewer faces, most "
+     "of all beside creases that wear off."},
     {kSetBudgetGoal, kPaint, ValueKind::kInt, "Spend it on",
      "The least mean error over all of the surface, the least greatest error, or nothing: faces at "
      "random, to compare with."},

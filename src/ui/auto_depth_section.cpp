@@ -55,6 +55,7 @@ void tolerance_controls(PanelContext& context) {
                 std::array{Choice{number_action(kSetDepthUnit, Unit::kDiagonals), "Diagonals"},
                            Choice{number_action(kSetDepthUnit, Unit::kLength), "Units"},
                            Choice{number_action(kSetDepthUnit, Unit::kPixels), "Pixels"}});
+  action_toggle(context, kToggleMeasuredDepths, room());
 }
 
 void budget_controls(PanelContext& context) {

@@ -335,6 +335,12 @@ bool is_checked(const Model& model, const Action& action) {
       return action.value == ActionValue(within_text(model.auto_depth.settings));
     case ActionId::kUsePreset:
       return stands_for(model.auto_depth, action);
+    case ActionId::kToggleMeasuredDepths: {
+      const ChooseDepths* choose = model.auto_depth.settings.choice();
+      const auto* tolerance =
+          choose != nullptr ? std::get_if<ChooseByTolerance>(&choose->choice) : nullptr;
+      return tolerance != nullptr && stands(tolerance->is_measured, action);
+    }
     case ActionId::kToggleLiveDepths:
       return stands(model.auto_depth.settings.is_live, action);
     case ActionId::kToggleLimitDepths:

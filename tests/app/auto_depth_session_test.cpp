@@ -79,6 +79,9 @@ TEST_F(AutoDepthSession, ControlsAreWordsForRules) {
   const auto rule = [this] { return ui::text_of(status().settings.rules); };
   session_.perform({kSetDepthAmount, 0.02});
   EXPECT_EQ(rule(), "tolerance=0.02d\n");
+  session_.perform(kToggleMeasuredDepths);
+  EXPECT_EQ(rule(), "tolerance=0.02d,measured\n");
+  session_.perform({kToggleMeasuredDepths, false});
   session_.perform({kSetDepthMerge, static_cast<int>(DepthMerge::kMax)});
   session_.perform({kSetDepthWithin, std::string("unpainted")});
   EXPECT_EQ(rule(), "tolerance=0.02d:max in unpainted\n");

@@ -35,6 +35,9 @@ TEST(ParseDepthChoice, ReadsEveryKind) {
             PaintRule(ChooseDepths{
                 ChooseByTolerance{0.5, ChooseByTolerance::Unit::kPixels, {"a.json", "b.json"}},
                 DepthMerge::kMax}));
+  EXPECT_EQ(
+      parse_paint_rule("tolerance=0.5,measured").value(),
+      PaintRule(ChooseDepths{ChooseByTolerance{0.5, ChooseByTolerance::Unit::kLength, {}, true}}));
   EXPECT_EQ(parse_paint_rule("budget=50000").value(), PaintRule(ChooseDepths{FaceBudget{}}));
   EXPECT_EQ(parse_paint_rule("budget=7t,greatest:add").value(),
             PaintRule(ChooseDepths{
@@ -69,9 +72,9 @@ TEST(ParseDepthChoice, IsWrittenAsItIsRead) {
   for (const char* text :
        {"tolerance=0.001d", "tolerance=2:max", "tolerance=0.5px@a.json@b.json:add", "budget=50000",
         "budget=9t,greatest:min in painted", "budget=80,random", "screen=4px",
-        "screen=16px2,silhouettes=3@c.json", "curve=curvature,5/0,20/2,60/4",
-        "curve=screen,4/0,400/5@c.json", "curvature>12deg:+1", "screen<3px:=0",
-        "edge>0.1d:max4 in faces=0,2-3", "unpainted:=1", "grow in visible"}) {
+        "tolerance=0.25px,measured@a.json:max", "screen=16px2,silhouettes=3@c.json",
+        "curve=curvature,5/0,20/2,60/4", "curve=screen,4/0,400/5@c.json", "curvature>12deg:+1",
+        "screen<3px:=0", "edge>0.1d:max4 in faces=0,2-3", "unpainted:=1", "grow in visible"}) {
     EXPECT_EQ(read(text), text);
   }
 }
@@ -93,6 +96,7 @@ TEST(ParseDepthChoice, SaysWhatIsWrong) {
   EXPECT_THAT(refusal("screen=4px,silhouettes=9"), HasSubstr("0 to 3"));
   EXPECT_THAT(refusal("curve=height,1/2"),
               HasSubstr("curvature, dihedral, distance, edge or screen"));
+  EXPECT_THAT(refusal("tolerance=1d,guessed"), HasSubstr("measured"));
   EXPECT_THAT(refusal("curve=curvature"), HasSubstr("at least one point"));
   EXPECT_THAT(refusal("curve=curvature,5"), HasSubstr("VALUE/DEPTH"));
   EXPECT_THAT(refusal("curve=curvature,5/11"), HasSubstr("\"5/11\""));

@@ -19,7 +19,8 @@ namespace limn {
 /// Names of cameras, for `ScreenViews`; none: the one in force.
 using ViewNames = std::vector<std::string>;
 
-/// Depths for a distance to the limit surface (`depths_for_tolerance`).
+/// Depths for a distance to the limit surface (`depths_for_tolerance`, or
+/// `depths_for_measured_tolerance`).
 struct ChooseByTolerance {
   enum class Unit {
     kDiagonals,  ///< Of the control mesh's bounds.
@@ -29,6 +30,7 @@ struct ChooseByTolerance {
   double distance = 0.001;
   Unit unit = Unit::kDiagonals;
   ViewNames views;
+  bool is_measured = false;  ///< Slower, and with fewer faces.
 
   [[nodiscard]] bool operator==(const ChooseByTolerance&) const = default;
 };

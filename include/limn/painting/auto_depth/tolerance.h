@@ -30,4 +30,16 @@ struct ChosenDepths {
                                                         std::span<const double> distances,
                                                         Progress& progress);
 
+/// As `depths_for_tolerance`, less what a measurement shows to be needless: as long as the refined
+/// mesh, measured (comparison/limit_distance.h), stays within its distance where faces have a level
+/// less, they have. Errors are estimated from above, and beside creases that wear off, where they
+/// hardly fall from one level to the next, that may be levels.
+///
+/// `expected_error` is what was measured last. Refines and measures some few times: that takes
+/// longer than all else.
+/// Errors: as above.
+[[nodiscard]] Result<ChosenDepths> depths_for_measured_tolerance(
+    const ControlMesh& mesh, const SubdivisionSettings& settings, std::span<const double> distances,
+    Progress& progress);
+
 }  // namespace limn
