@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "limn/comparison/limit_distance.h"
@@ -31,6 +32,17 @@ Trial measure_depths(const Subject& subject, const FaceDepths& depths, double as
   Trial trial = measure(subject, legal->labels);
   trial.asked = asked;
   return trial;
+}
+
+/// By a tolerance in diagonals.
+template <class Choose>
+Trial try_depths(const Subject& subject, double tolerance, const Choose& choose) {
+  IgnoreProgress progress;
+  const double distance = tolerance * subject.mesh->bounds().diagonal();
+  const std::span<const double> distances(&distance, 1);
+  const Result<ChosenDepths> chosen = choose(*subject.mesh, subject.settings, distances, progress);
+  LIMN_EXPECTS(chosen.has_value());
+  return measure_depths(subject, chosen->depths, tolerance);
 }
 
 /// What is expected of a uniform mesh, in diagonals.
@@ -129,12 +141,11 @@ Trial try_uniform(const Subject& subject, int level) {
 }
 
 Trial try_tolerance(const Subject& subject, double tolerance) {
-  IgnoreProgress progress;
-  const double distance = tolerance * subject.mesh->bounds().diagonal();
-  const auto chosen =
-      depths_for_tolerance(*subject.mesh, subject.settings, {&distance, 1}, progress);
-  LIMN_EXPECTS(chosen.has_value());
-  return measure_depths(subject, chosen->depths, tolerance);
+  return try_depths(subject, tolerance, depths_for_tolerance);
+}
+
+Trial try_measured_tolerance(const Subject& subject, double tolerance) {
+  return try_depths(subject, tolerance, depths_for_measured_tolerance);
 }
 
 Trial try_budget(const Subject& subject, std::uint64_t faces, FaceBudget::Goal goal) {

@@ -40,6 +40,8 @@ struct Subject {
 [[nodiscard]] Trial try_uniform(const Subject& subject, int level);
 /// A tolerance in diagonals.
 [[nodiscard]] Trial try_tolerance(const Subject& subject, double tolerance);
+/// The same, measured while depths are chosen.
+[[nodiscard]] Trial try_measured_tolerance(const Subject& subject, double tolerance);
 /// A number of faces.
 [[nodiscard]] Trial try_budget(const Subject& subject, std::uint64_t faces, FaceBudget::Goal goal);
 

@@ -31,9 +31,11 @@ class Row:
         self.at_level = fewest(mesh["tolerance_level"], figure, self.target)
         self.at_limit = fewest(mesh["tolerance_limit"], figure, self.target)
         self.budget = fewest(mesh[BUDGETS[figure]], figure, self.target)
+        self.measured = (fewest(mesh["measured_limit"], figure, self.target)
+                         if figure == "greatest" else None)
         self.alike = self.at_level if points == "level" else self.at_limit
         self.best = min(filter(None, [self.at_level if points == "level" else None, self.at_limit,
-                                      self.budget]), default=None)
+                                      self.measured, self.budget]), default=None)
 
     @property
     def has_curvature(self):
@@ -64,12 +66,12 @@ def sentence(ratios):
 
 def summary(meshes):
     """The headline, for the README."""
-    level, limit = ([row.ratio(row.at_limit) for row in rows(meshes, "greatest", points)
-                     if row.at_limit] for points in ("level", "limit"))
+    level, limit = ([row.ratio(row.measured) for row in rows(meshes, "greatest", points)
+                     if row.measured] for points in ("level", "limit"))
     return (f"At the same measured greatest distance to the limit surface a uniform mesh has this "
-            f"many times the faces of one by tolerance: {sentence(level)} where it is as "
-            f"subdividing leaves it, {sentence(limit)} where its vertices are put on the limit "
-            f"surface too.")
+            f"many times the faces of one by a tolerance that is measured while depths are chosen: "
+            f"{sentence(level)} where it is as subdividing leaves it, {sentence(limit)} where its "
+            f"vertices are put on the limit surface too.")
 
 
 def names(found):
@@ -89,8 +91,8 @@ How many faces a mesh needs to be as near to its limit surface as a uniform one,
 {summary(meshes)}
 
 So depths by themselves pay where detail is uneven. With both on the limit surface: {names(pays)}. Where every face needs about the same there is little to be had: {names(rest)}. They are behind
-on {names(behind)}: beside semi-sharp creases and on uneven triangles far more error is expected than is then measured, and what is just above a tolerance costs a whole level; a uniform mesh
-is held here against nothing but what it reaches. (In brackets: the uniform mesh's faces over those of the best of Limn's.) None of this is about painting by intent, where what shall stay coarse does.
+on {names(behind)}. (In brackets: the uniform mesh's faces over those of the best of Limn's.) Without measuring, depths go by estimates, at once, and cost more: beside semi-sharp creases and on uneven
+triangles far more error is expected than is then found. None of this is about painting by intent, where what shall stay coarse does.
 
 ![Greatest distance against faces](faces.svg)"""
 
@@ -125,29 +127,34 @@ def section(meshes, figure):
     word = FIGURES[figure]
     limit = rows(meshes, figure, "limit")
     level = rows(meshes, figure, "level")
-    shows_patches = figure == "greatest"
+    is_greatest = figure == "greatest"
     limit_lines = [[f"`{row.mesh['name']}`", number(row.mesh["faces"]), str(row.mesh["level"]),
-                    distance(row.target), number(row.uniform), number(row.at_limit),
-                    ratio(row.ratio(row.at_limit)), number(row.budget),
-                    ratio(row.ratio(row.budget))] + ([patches(row.mesh)] if shows_patches else [])
+                    distance(row.target), number(row.uniform)] +
+                   ([number(row.measured), ratio(row.ratio(row.measured))] if is_greatest else []) +
+                   [number(row.at_limit), ratio(row.ratio(row.at_limit)), number(row.budget),
+                    ratio(row.ratio(row.budget))] + ([patches(row.mesh)] if is_greatest else [])
                    for row in limit]
-    mean = means(limit, [lambda row: row.at_limit, lambda row: row.budget])
-    limit_lines.append(["geometric mean", "", "", "", "", "", mean[0], "", mean[1]] +
-                       ([""] if shows_patches else []))
+    mean = means(limit, [lambda row: row.measured, lambda row: row.at_limit,
+                         lambda row: row.budget])
+    limit_lines.append(["geometric mean", "", "", "", ""] + (["", mean[0]] if is_greatest else []) +
+                       ["", mean[1], "", mean[2]] + ([""] if is_greatest else []))
     level_lines = [[f"`{row.mesh['name']}`", number(row.mesh["faces"]), str(row.mesh["level"]),
                     distance(row.target), number(row.uniform), number(row.at_level),
-                    ratio(row.ratio(row.at_level)), number(row.at_limit),
+                    ratio(row.ratio(row.at_level)), number(row.measured),
+                    ratio(row.ratio(row.measured)), number(row.at_limit),
                     ratio(row.ratio(row.at_limit)), number(row.budget),
                     ratio(row.ratio(row.budget))] for row in level]
-    mean = means(level, [lambda row: row.at_level, lambda row: row.at_limit,
-                         lambda row: row.budget])
-    level_lines.append(["geometric mean", "", "", "", "", "", mean[0], "", mean[1], "", mean[2]])
+    mean = means(level, [lambda row: row.at_level, lambda row: row.measured,
+                         lambda row: row.at_limit, lambda row: row.budget])
+    level_lines.append(["geometric mean", "", "", "", "", "", mean[0], "", mean[1], "", mean[2],
+                        "", mean[3]])
     head = ["mesh", "its faces", "levels", "distance, d / 1000", "uniform"]
-    limit_head = head + ["by tolerance", "fewer", "by budget", "fewer"]
-    if shows_patches:
+    limit_head = head + (["by tolerance, measured", "fewer"] if is_greatest else []) + [
+        "by tolerance", "fewer", "by budget", "fewer"]
+    if is_greatest:
         limit_head.append("OpenSubdiv's patches (levels isolated)")
-    level_head = head + ["by tolerance, level", "fewer", "by tolerance, limit", "fewer",
-                         "by budget, limit", "fewer"]
+    level_head = head + ["by tolerance, level", "fewer", "measured, limit", "fewer",
+                         "by tolerance, limit", "fewer", "by budget, limit", "fewer"]
     words = {"greatest": "Patches are no faces: a GPU cuts each into triangles when it draws, as "
                          "finely as it is told to. They are those with which OpenSubdiv's feature-"
                          "adaptive surface itself is as near to the limit.",
@@ -175,19 +182,23 @@ def asked(meshes):
         uniform = fewest(mesh["uniform_limit"], "greatest", found["asked"])
         if not uniform or found["greatest"] < 1e-9:
             continue
-        ratios.append(uniform / found["faces"])
+        measured = mesh["asked_measured"]
+        ratios.append((uniform / measured["faces"], uniform / found["faces"]))
         lines.append([f"`{mesh['name']}`", number(mesh["faces"]), number(uniform),
-                      number(found["faces"]), distance(found["greatest"]), ratio(ratios[-1])])
+                      number(measured["faces"]), distance(measured["greatest"]),
+                      ratio(ratios[-1][0]), number(found["faces"]), distance(found["greatest"]),
+                      ratio(ratios[-1][1])])
     if not lines:
         return ""
-    lines.append(["geometric mean", "", "", "", "", f"**{geometric_mean(ratios):.2f}×**"])
+    mean = [f"**{geometric_mean(column):.2f}×**" for column in zip(*ratios)]
+    lines.append(["geometric mean", "", "", "", "", mean[0], "", "", mean[1]])
     value = meshes[0]["asked_tolerance"]["asked"]
     return f"""## At a distance that is asked for
 
-A uniform mesh has whole levels only. Here somebody asks for {1e3 * value:g} thousandth of the diagonal: the least uniform mesh that keeps to it, and `tolerance={value:g}d` as it is, without looking for the
-best. Both on the limit surface; left out are meshes whose uniform refinement to that distance was too large to measure.
+A uniform mesh has whole levels only. Here somebody asks for {1e3 * value:g} thousandth of the diagonal: the least uniform mesh that keeps to it, and `tolerance={value:g}d` as it is, measured while choosing and
+not. Both on the limit surface; left out are meshes whose uniform refinement to that distance was too large to measure.
 
-{table(["mesh", "its faces", "uniform", "by tolerance", "its distance, d / 1000", "fewer"], lines)}"""
+{table(["mesh", "its faces", "uniform", "measured", "its distance, d / 1000", "fewer", "by tolerance", "its distance, d / 1000", "fewer"], lines)}"""
 
 
 def small(meshes):
@@ -226,7 +237,7 @@ def method(meshes):
 - Distances are Hausdorff distances between the refined mesh, as triangles, and the Catmull-Clark limit surface with creases and boundary, in both directions, sampled until twice as many samples
   change them by less than a fiftieth or a million have been taken (as `limn compare --to limit` does, which goes on for longer). The r.m.s. is over the areas of both.
 - The uniform mesh has as many levels as stay below 26,000 faces, four at the most. Its measured distance is the target. The tolerance and the budget that reach it are sought by trying five of
-  each or less; counted is the mesh with the fewest faces that was measured to be no further off than the target. A dash: none of these was near enough; means leave it out.
+  each or less, and of measured tolerances only the target itself; counted is the mesh with the fewest faces that was measured to be no further off than the target. A dash: none of these was near enough; means leave it out.
 - All settings are those that `limn` starts with: look-ahead legalisation and, on meshes with faces that are no quads, a uniform first step.
 - Patches: OpenSubdiv's tables with Gregory end caps and infinitely sharp patches, isolated level by level until the greatest distance at equal parameters, in 81 places of every quad, from a
   table with nine levels is within the same distance.

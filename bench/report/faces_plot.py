@@ -18,10 +18,12 @@ OWN_STYLE = """
   .series { fill: none; stroke-width: 2.2; stroke-linejoin: round; stroke-linecap: round; }
   .dashed { stroke-dasharray: 6 5; }
   .uniform { stroke: #59636e; } .tolerance { stroke: #c96a00; } .budget { stroke: #1f6fc9; }
+  .measured { stroke: #1a7f37; } .measured-dot { fill: #1a7f37; }
   .uniform-dot { fill: #59636e; } .tolerance-dot { fill: #c96a00; } .budget-dot { fill: #1f6fc9; }
   .frame { fill: none; stroke: #d1d9e0; }
   @media (prefers-color-scheme: dark) {
     .uniform { stroke: #9198a1; } .tolerance { stroke: #f5a623; } .budget { stroke: #58a6ff; }
+    .measured { stroke: #3fb950; } .measured-dot { fill: #3fb950; }
     .uniform-dot { fill: #9198a1; } .tolerance-dot { fill: #f5a623; } .budget-dot { fill: #58a6ff; }
     .frame { stroke: #3d444d; }
   }
@@ -31,6 +33,7 @@ SERIES = [("uniform_level", "uniform dashed", "uniform, positions of the level")
           ("uniform_limit", "uniform", "uniform, on the limit surface"),
           ("tolerance_level", "tolerance dashed", "by tolerance, positions of the level"),
           ("tolerance_limit", "tolerance", "by tolerance, on the limit surface"),
+          ("measured_limit", "measured", "measured, on the limit surface"),
           ("budget", "budget", "by budget, on the limit surface")]
 
 
