@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -201,15 +200,17 @@ void baseline_rows(PanelContext& context) {
   }
   const auto row = [&](std::string_view label, std::string_view meaning,
                        const BudgetBaseline& baseline) {
-    value_row(context, {label,
-                        fmt::format("{} r.m.s., {}", distance_text(baseline.root_mean_square),
-                                    counted(baseline.faces, "face")),
-                        meaning});
+    value_row(
+        context,
+        {label, distance_text(baseline.root_mean_square) + " · " + counted(baseline.faces, "face"),
+         meaning});
   };
   if (baselines.found) {
-    row("Uniform", "The finest uniform mesh that the budget has room for.",
+    row("Uniform",
+        "R.m.s. distance and faces of the finest uniform mesh that the budget has room for.",
         baselines.found->uniform);
-    row("At random", "Faces painted at random until the budget is used up.",
+    row("At random",
+        "R.m.s. distance and faces where they are painted at random until the budget is used up.",
         baselines.found->random);
   }
   if (!baselines.problem.empty()) {
@@ -233,8 +234,10 @@ void outcome_rows(PanelContext& context, const AutoDepthOutcome& outcome) {
     value_row(context, {"Asked for", length_text(context, outcome.tolerance),
                         "The tolerance, in units of the mesh and as a part of its diagonal."});
   }
-  value_row(context, {"Expected", length_text(context, outcome.expected_error),
-                      "The greatest distance to the limit surface by which depths were chosen."});
+  if (!outcome.budget) {  // Which counts on neighbours that refine what it leaves coarse.
+    value_row(context, {"Expected", length_text(context, outcome.expected_error),
+                        "The greatest distance to the limit surface by which depths were chosen."});
+  }
   if (distance.running) {
     draw_progress(context, {*distance.running, "Measuring"}, std::nullopt);
   } else {

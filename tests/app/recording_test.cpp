@@ -236,6 +236,15 @@ class RecordingTest : public testing::Test {
     return recording.value_or(Recording{});
   }
 
+  /// Plays it back to the same document.
+  void expect_done_again(const Recording& recording) const {
+    IgnoreProgress ignore;
+    const auto played = play_headless(recording, {}, ignore);
+    ASSERT_TRUE(played) << to_string(played.error());
+    EXPECT_THAT(played->report.differences, IsEmpty());
+    EXPECT_EQ(checksum_of(played->document), document_);
+  }
+
   test::ScratchFolder folder_;
   fs::path file_ = folder_ / "run.limnrec";
   fs::path mesh_ = folder_ / "quad.obj";
@@ -302,13 +311,7 @@ TEST_F(RecordingTest, FineStrokesAreDoneAgain) {
   }
   turns_until_rest();
   EXPECT_GT(session().document().demands.size(), 20u);
-  const Recording recording = finish();
-
-  IgnoreProgress ignore;
-  const auto played = play_headless(recording, {}, ignore);
-  ASSERT_TRUE(played) << to_string(played.error());
-  EXPECT_THAT(played->report.differences, IsEmpty());
-  EXPECT_EQ(checksum_of(played->document), document_);
+  expect_done_again(finish());
 }
 
 TEST_F(RecordingTest, FilesAreReadFromTheRecordingAndNoneIsWritten) {
@@ -351,12 +354,7 @@ TEST_F(RecordingTest, ChosenDepthsComeWhenTheyCame) {
   key(ui::Key::kD, {.ctrl = true});
   key(ui::Key::kA);
   turns_until_rest();
-  const Recording recording = finish();
-  IgnoreProgress ignore;
-  const auto played = play_headless(recording, {}, ignore);
-  ASSERT_TRUE(played) << to_string(played.error());
-  EXPECT_THAT(played->report.differences, IsEmpty());
-  EXPECT_EQ(checksum_of(played->document), document_);
+  expect_done_again(finish());
 }
 
 TEST_F(RecordingTest, AnotherRunIsToldApart) {

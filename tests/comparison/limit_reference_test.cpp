@@ -308,7 +308,7 @@ TEST(LimitDistanceReference, OfTheCorpus) {
     }
   }
   if (count == 0) {
-    GTEST_SKIP() << "no corpus here";
+    GTEST_SKIP() << "there is no corpus of meshes on this machine";
   }
 }
 
