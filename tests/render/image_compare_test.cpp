@@ -61,6 +61,34 @@ TEST_F(ImageCompare, OneChannelOffByOneFailsAndShowsWhere) {
   EXPECT_EQ(diff->pixel(1, 1)[0], 0);
 }
 
+TEST_F(ImageCompare, ARoundedPixelInAThousandPasses) {
+  const render::Image golden({100, 20});
+  ASSERT_TRUE(render::write_png(golden_file(name + ".png"), golden));
+  image = golden;
+  image.pixel(3, 4)[0] = 2;
+  image.pixel(99, 19)[2] = 1;
+  EXPECT_TRUE(matches_golden(image, name));
+  image.pixel(50, 10)[1] = 1;
+  EXPECT_FALSE(matches_golden(image, name)) << "three of two thousand";
+  image = golden;
+  image.pixel(3, 4)[0] = 3;
+  EXPECT_FALSE(matches_golden(image, name)) << "off by three";
+}
+
+TEST_F(ImageCompare, AGoldenThatMatchesIsNotRewritten) {
+  const render::Image golden({100, 20});
+  ASSERT_TRUE(render::write_png(golden_file(name + ".png"), golden));
+  image = golden;
+  image.pixel(3, 4)[0] = 2;
+  setenv("LIMN_UPDATE_GOLDENS", "1", 1);
+  EXPECT_TRUE(matches_golden(image, name));
+  EXPECT_EQ(*render::read_png(golden_file(name + ".png")), golden);
+  image.pixel(3, 4)[0] = 200;
+  EXPECT_TRUE(matches_golden(image, name));
+  EXPECT_EQ(*render::read_png(golden_file(name + ".png")), image);
+  unsetenv("LIMN_UPDATE_GOLDENS");
+}
+
 TEST_F(ImageCompare, AnotherSizeFails) {
   ASSERT_TRUE(render::write_png(golden_file(name + ".png"), render::Image({3, 4})));
   EXPECT_FALSE(matches_golden(image, name));
