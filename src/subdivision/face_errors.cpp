@@ -134,18 +134,25 @@ class ErrorSweep {
     const Creases& creases = *cage_.creases;
     const PatchErrorWish wish{options_.points, options_.enough, rings - 1,
                               !creases.edge_sharpness.empty() || !creases.vertex_sharpness.empty()};
-    sweep_.ranges(cage_.face_count(), kFaceSlab, kFaceGrain, 1,
-                  [&](std::size_t begin, std::size_t end) {
-                    Scratch scratch;
-                    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
-                      if (is_done_[f] == 0) {
-                        is_done_[f] = visit(f, wish, scratch) ? 1 : 0;
-                      }
-                    }
-                  });
+    sweep_.ranges(
+        cage_.face_count(), kFaceSlab, kFaceGrain, 1, [&](std::size_t begin, std::size_t end) {
+          visit_range(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), wish);
+        });
   }
 
-  bool visit(std::uint32_t f, const PatchErrorWish& wish, Scratch& scratch) {
+  void visit_range(std::uint32_t begin, std::uint32_t end, const PatchErrorWish& wish) {
+    Scratch scratch;
+    PatchErrors patches(wish);
+    for (std::uint32_t f = begin; f < end; ++f) {
+      if (is_done_[f] == 0) {
+        is_done_[f] = visit(f, wish, patches, scratch) ? 1 : 0;
+      }
+    }
+    patches.finish();
+    std::for_each(errors_.begin() + begin, errors_.begin() + end, make_falling);
+  }
+
+  bool visit(std::uint32_t f, const PatchErrorWish& wish, PatchErrors& patches, Scratch& scratch) {
     LevelErrors& errors = errors_[f];
     errors.fill(0.0F);
     bool is_complete = true;
@@ -153,9 +160,8 @@ class ErrorSweep {
       errors[0] = static_cast<float>(error_of_polygon(cage_, rings_, f, wish.points, scratch));
     }
     for_each_patch(cage_, rings_, f, scratch.patch, [&](const Patch& patch, int level) {
-      is_complete = add_patch_errors(patch, level, wish, errors) && is_complete;
+      is_complete = patches.add(patch, level, errors) && is_complete;
     });
-    make_falling(errors);
     return is_complete;
   }
 

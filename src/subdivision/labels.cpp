@@ -6,6 +6,7 @@
 
 #include "limn/contract.h"
 #include "subdivision/non_quads.h"
+#include "subdivision/parallel_ranges.h"
 #include "subdivision/surroundings.h"
 
 namespace limn {
@@ -39,14 +40,17 @@ FacePattern quad_pattern(int a, int b, int c, int d) noexcept {
 
 VertexLabels vertex_labels(const ControlMesh& mesh, std::span<const std::uint8_t> depths) {
   LIMN_EXPECTS(depths.size() == mesh.face_count());
+  LIMN_EXPECTS(std::ranges::all_of(depths, [](std::uint8_t depth) { return depth <= kMaxDepth; }));
+  constexpr std::size_t kGrain = std::size_t{1} << 13;
   const FlatTopology& topology = mesh.topology();
   VertexLabels labels(mesh.vertex_count(), 0);
-  for (std::size_t f = 0; f < depths.size(); ++f) {
-    LIMN_EXPECTS(depths[f] <= kMaxDepth);
-    for (const std::uint32_t v : corners_of(topology, f)) {
-      labels[v] = std::max(labels[v], depths[f]);
+  parallel_ranges(0, labels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
+      for (const std::uint32_t corner : corners_around(topology, v)) {
+        labels[v] = std::max(labels[v], depths[topology.corner_faces[corner]]);
+      }
     }
-  }
+  });
   return labels;
 }
 

@@ -24,7 +24,8 @@ namespace {
 
 using Candidate = CandidateQueue::Candidate;
 
-/// `Count` holds the number of edges of any vertex of the mesh.
+/// `Count` holds the number of edges of any vertex with spokes. Counters of the others are moved
+/// along and mean nothing.
 template <class Count>
 class Greedy {
  public:
@@ -35,7 +36,10 @@ class Greedy {
         vertices_(mesh.vertex_count()),
         queue_(mesh.vertex_count()) {
     for (std::uint32_t v = 0; v < labels_.size(); ++v) {
-      count_quads_around(v);
+      if (labels_[v] == 0) {
+        vertices_[v].is_zero = true;
+        count_quads_around(v);
+      }
     }
     push_changed();
   }
@@ -96,14 +100,12 @@ class Greedy {
 
   void count_quads_around(std::uint32_t v) {
     Vertex& vertex = vertices_[v];
-    vertex.is_zero = labels_[v] == 0;
     for_each_quad(rings_->of(v), [&](std::uint32_t a, std::uint32_t diagonal, std::uint32_t b) {
-      const int zeros =
-          (labels_[v] == 0) + (labels_[a] == 0) + (labels_[diagonal] == 0) + (labels_[b] == 0);
+      const int zeros = 1 + (labels_[a] == 0) + (labels_[diagonal] == 0) + (labels_[b] == 0);
       add(vertex.illegal_quads, zeros == 2);
       add(vertex.cost, zeros == 3);
     });
-    if (vertex.is_zero && vertex.illegal_quads > 0) {
+    if (vertex.illegal_quads > 0) {
       mark(v, vertex);
     }
   }
@@ -248,7 +250,7 @@ Result<std::optional<Legalisation>> greedy_below(const ControlMesh& mesh, Vertex
   if (!progress.report(0.0, kStage)) {
     return cancelled();
   }
-  const SpokeRings rings(mesh.topology());
+  const SpokeRings rings(mesh.topology(), labels);
   if (rings.most_spokes() <= std::numeric_limits<std::uint8_t>::max()) {
     return relabel_all(Greedy<std::uint8_t>(mesh, rings, std::move(labels)), most_faces, progress);
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "subdivision/legalisation_resets.h"
 #include "subdivision/legality_problem.h"
 #include "subdivision/look_ahead_score.h"
+#include "subdivision/parallel_ranges.h"
 
 namespace limn {
 namespace {
@@ -43,19 +45,23 @@ class RacePart final : public Progress {
 
 class LookAhead {
  public:
-  LookAhead(const LegalityProblem& problem, const VertexLabels& labels)
-      : problem_(&problem), masks_(problem.masks(labels)), variables_(problem.variable_count()) {
+  /// `masks` are those of the labels; they are kept up to date.
+  LookAhead(const LegalityProblem& problem, const VertexLabels& labels, std::span<QuadMask> masks)
+      : problem_(&problem), masks_(masks), variables_(problem.variable_count()) {
     for (std::uint32_t v = 0; v < labels.size(); ++v) {
       variables_[problem.variable_of(v)].is_zero = labels[v] == 0;
     }
-    for (std::uint32_t u = 0; u < variables_.size(); ++u) {
-      variables_[u].is_small = problem.quads_around(u) <= kMostQuadsLookedAhead;
-      if (variables_[u].is_zero) {
-        variables_[u].faces = static_cast<std::int32_t>(problem.polygon_faces(u));
-        problem.for_each_quad(
-            u, [&](std::uint32_t q, unsigned bits) { count(variables_[u], masks_[q], bits, +1); });
+    parallel_ranges(0, variables_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (auto u = static_cast<std::uint32_t>(begin); u < end; ++u) {
+        Variable& variable = variables_[u];
+        variable.is_small = problem.quads_around(u) <= kMostQuadsLookedAhead;
+        if (variable.is_zero) {
+          variable.faces = static_cast<std::int32_t>(problem.polygon_faces(u));
+          problem.for_each_quad(
+              u, [&](std::uint32_t q, unsigned bits) { count(variable, masks[q], bits, +1); });
+        }
       }
-    }
+    });
     // The stacks give back what went in last: the lowest first.
     for (auto u = static_cast<std::uint32_t>(variables_.size()); u-- > 0;) {
       illegal_count_ += is_candidate(variables_[u]) ? 1 : 0;
@@ -105,6 +111,8 @@ class LookAhead {
 
   /// Scores beyond -kStacks * 3 / 4 and kStacks / 4 are worst and best all alike.
   static constexpr std::int32_t kStacks = 1024;
+
+  static constexpr std::size_t kGrain = std::size_t{1} << 12;
 
   [[nodiscard]] static bool is_candidate(const Variable& variable) {
     return variable.is_zero && variable.illegal_quads > 0;
@@ -214,7 +222,7 @@ class LookAhead {
   }
 
   const LegalityProblem* problem_;
-  LargeArray<QuadMask> masks_;
+  std::span<QuadMask> masks_;
   LargeArray<Variable> variables_;
   std::array<std::vector<std::uint32_t>, kStacks> stacks_;
   std::size_t highest_ = 0;
@@ -223,11 +231,10 @@ class LookAhead {
   std::size_t illegal_count_ = 0;
 };
 
-/// Faces that what `legal` raised adds to the refined mesh.
-std::uint64_t faces_added(const LegalityProblem& problem, const VertexLabels& painted,
-                          const Legalisation& legal) {
-  const LargeArray<QuadMask> before = problem.masks(painted);
-  const LargeArray<QuadMask> after = problem.masks(legal.labels);
+/// Faces that what `legal` raised adds to the refined mesh; with the masks of the painted labels
+/// and of its own.
+std::uint64_t faces_added(const LegalityProblem& problem, std::span<const QuadMask> before,
+                          std::span<const QuadMask> after, const Legalisation& legal) {
   std::int64_t added = 0;
   for (std::size_t q = 0; q < before.size(); ++q) {
     added += faces_of(after[q]) - faces_of(before[q]);
@@ -253,7 +260,9 @@ Result<Legalisation> legalise_look_ahead(const ControlMesh& mesh, VertexLabels l
 
   const LegalityProblem problem(mesh);
   Legalisation result{labels, {}, LegalisationMethod::kLookAhead};
-  LookAhead look_ahead(problem, labels);
+  const LargeArray<QuadMask> painted = problem.masks(labels);
+  LargeArray<QuadMask> masks = painted;
+  LookAhead look_ahead(problem, labels, masks);
   double reached = 0.0;
   while (const auto raised = look_ahead.raise_best()) {
     const auto [variable, score] = *raised;
@@ -272,20 +281,21 @@ Result<Legalisation> legalise_look_ahead(const ControlMesh& mesh, VertexLabels l
     }
   }
   const auto goes_on = [&] { return progress.report(kRelabelled, kLookAheadStage); };
-  if (!take_back_needless(problem, result, goes_on)) {
+  if (!take_back_needless(problem, masks, result, goes_on)) {
     return cancelled();
   }
 
   // The greedy's labels are legal as well: where they are better, they are the answer.
   RacePart race(progress);
-  const std::uint64_t added = faces_added(problem, labels, result);
+  const std::uint64_t added = faces_added(problem, painted, masks, result);
   Result<std::optional<Legalisation>> greedy = greedy_below(mesh, std::move(labels), added, race);
   if (!greedy) {
     return tl::unexpected(std::move(greedy.error()));
   }
   if (*greedy) {
     result = **std::move(greedy);
-    if (!take_back_needless(problem, result,
+    masks = problem.masks(result.labels);
+    if (!take_back_needless(problem, masks, result,
                             [&] { return progress.report(1.0, kLookAheadStage); })) {
       return cancelled();
     }

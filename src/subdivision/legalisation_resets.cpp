@@ -4,6 +4,7 @@
 // variable is reset at most once, so the whole is linear.
 #include "subdivision/legalisation_resets.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,10 +13,10 @@ namespace {
 
 class Resets {
  public:
-  Resets(const LegalityProblem& problem, Legalisation& result)
+  Resets(const LegalityProblem& problem, std::span<QuadMask> masks, Legalisation& result)
       : problem_(&problem),
         result_(&result),
-        masks_(problem.masks(result.labels)),
+        masks_(masks),
         is_raised_(problem.variable_count(), 0),
         is_waiting_(problem.variable_count(), 0),
         blocks_(problem.variable_count(), 0) {
@@ -138,7 +139,7 @@ class Resets {
 
   const LegalityProblem* problem_;
   Legalisation* result_;
-  LargeArray<QuadMask> masks_;
+  std::span<QuadMask> masks_;
   std::vector<std::uint8_t> is_raised_;
   std::vector<std::uint8_t> is_waiting_;
   std::vector<std::uint32_t> blocks_;  ///< Quads that would be illegal without a raised variable.
@@ -147,9 +148,9 @@ class Resets {
 
 }  // namespace
 
-bool take_back_needless(const LegalityProblem& problem, Legalisation& result,
-                        const std::function<bool()>& goes_on) {
-  return Resets(problem, result).take_back(goes_on);
+bool take_back_needless(const LegalityProblem& problem, LargeArray<QuadMask>& masks,
+                        Legalisation& result, const std::function<bool()>& goes_on) {
+  return Resets(problem, masks, result).take_back(goes_on);
 }
 
 }  // namespace limn

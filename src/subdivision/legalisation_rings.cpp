@@ -9,12 +9,16 @@
 
 namespace limn {
 
-SpokeRings::SpokeRings(const FlatTopology& topology) {
+SpokeRings::SpokeRings(const FlatTopology& topology, const VertexLabels& labels) {
   const auto vertices = static_cast<std::uint32_t>(topology.vertex_offsets.size() - 1);
   first_.reserve(vertices + 1);
   spokes_.reserve(2 * topology.edge_vertices.size());
   first_.push_back(0);
   for (std::uint32_t v = 0; v < vertices; ++v) {
+    if (labels[v] > 0) {
+      first_.push_back(first_.back());
+      continue;
+    }
     const std::span<const std::uint32_t> corners = corners_around(topology, v);
     for (const std::uint32_t corner : corners) {
       const std::uint32_t next = next_corner(topology, corner);

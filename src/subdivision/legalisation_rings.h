@@ -6,6 +6,7 @@
 
 #include "limn/mesh/control_mesh.h"
 #include "limn/mesh/large_array.h"
+#include "limn/subdivision/labels.h"
 
 // Internal to this folder.
 namespace limn {
@@ -17,24 +18,25 @@ struct Spoke {
                                     ///< kNone where there is no face, or one that is no quad.
 };
 
-/// Every vertex with all that legality depends on around it, one short run of memory a vertex.
+/// Every vertex of label 0 with all that legality depends on around it, one short run of memory a
+/// vertex. The others, which are no candidates, have none.
 ///
 /// The spokes of a vertex are one for each mesh edge, in cyclic order; the one after the last is
 /// the first.
 class SpokeRings {
  public:
-  explicit SpokeRings(const FlatTopology& topology);
+  SpokeRings(const FlatTopology& topology, const VertexLabels& labels);
 
   [[nodiscard]] std::span<const Spoke> of(std::uint32_t v) const noexcept {
     return std::span(spokes_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
-  /// The number of edges of the vertex that has most.
+  /// The most of a vertex.
   [[nodiscard]] std::size_t most_spokes() const noexcept { return most_spokes_; }
 
  private:
   std::size_t most_spokes_ = 0;
   LargeArray<std::uint32_t> first_;  ///< V + 1.
-  LargeArray<Spoke> spokes_;         ///< Two for each mesh edge.
+  LargeArray<Spoke> spokes_;         ///< At most two for each mesh edge.
 };
 
 /// Calls `visit(a, diagonal, b)` for every quad around the vertex these spokes belong to; a, the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "subdivision/parallel_ranges.h"
 #include "subdivision/surroundings.h"
 
 namespace limn {
@@ -32,6 +33,14 @@ class UnitedVertices {
  private:
   std::vector<std::uint32_t> parents_;
 };
+
+QuadMask mask_of(std::span<const std::uint32_t> quad, const VertexLabels& labels) {
+  unsigned mask = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    mask |= static_cast<unsigned>(labels[quad[i]] > 0) << i;
+  }
+  return static_cast<QuadMask>(mask);
+}
 
 /// Turns counts in [1, n] into prefix sums.
 void sum_up(std::vector<std::uint32_t>& counts) {
@@ -107,15 +116,21 @@ LegalityProblem::LegalityProblem(const ControlMesh& mesh) : mesh_(&mesh) {
 
 LargeArray<QuadMask> LegalityProblem::masks(const VertexLabels& labels) const {
   LargeArray<QuadMask> masks;
+  if (mesh_->is_all_quads()) {
+    constexpr std::size_t kGrain = std::size_t{1} << 13;
+    masks.resize(quad_count());
+    parallel_ranges(0, masks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t q = begin; q < end; ++q) {
+        masks[q] = mask_of(corner_variables_.subspan(4 * q, 4), labels);
+      }
+    });
+    return masks;
+  }
   masks.reserve(quad_count());
   for (std::size_t f = 0; f < mesh_->face_count(); ++f) {
     const std::span<const std::uint32_t> face = corners_of(mesh_->topology(), f);
     if (face.size() == 4) {
-      unsigned mask = 0;
-      for (unsigned i = 0; i < 4; ++i) {
-        mask |= static_cast<unsigned>(labels[face[i]] > 0) << i;
-      }
-      masks.push_back(static_cast<QuadMask>(mask));
+      masks.push_back(mask_of(face, labels));
     }
   }
   return masks;

@@ -1,61 +1,17 @@
 // The kernels of limit normals, in single precision: some vertices at a time, coordinate by
-// coordinate. What tensor_kernels.inl says about other headers holds here.
-#ifdef __SSE__
-#include <immintrin.h>
-#endif
-
-#include "subdivision/tensor_kernels.h"
+// coordinate.
+#include "subdivision/kernel_lanes.inl"
 
 namespace limn {
 namespace {
-
-/// The same coordinate of some vertices.
-template <std::size_t kCount>
-struct LanesOf;
-template <>
-struct LanesOf<4> {
-  using Floats [[gnu::vector_size(16)]] = float;
-  using Ints [[gnu::vector_size(16)]] = int;
-};
-template <>
-struct LanesOf<8> {
-  using Floats [[gnu::vector_size(32)]] = float;
-  using Ints [[gnu::vector_size(32)]] = int;
-};
-using Four = LanesOf<4>::Floats;
-using Eight = LanesOf<8>::Floats;
-
-template <class Lanes>
-inline Lanes load(const float* from) {
-  Lanes lanes;
-  __builtin_memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-template <class Lanes>
-inline void store(const Lanes& lanes, float* to) {
-  __builtin_memcpy(to, &lanes, sizeof lanes);
-}
-
-/// Picks from two vectors four by four, as the instructions do: 0..3 are the first's.
-template <int k0, int k1, int k2, int k3>
-inline Four shuffled(const Four& a, const Four& b) {
-  return __builtin_shufflevector(a, b, k0, k1, k2, k3);
-}
-template <int k0, int k1, int k2, int k3>
-inline Eight shuffled(const Eight& a, const Eight& b) {
-  constexpr auto at = [](int k, int half) { return k % 4 + (k < 4 ? 0 : 8) + 4 * half; };
-  return __builtin_shufflevector(a, b, at(k0, 0), at(k1, 0), at(k2, 0), at(k3, 0), at(k0, 1),
-                                 at(k1, 1), at(k2, 1), at(k3, 1));
-}
 
 inline void store_fours(const Four& four, float* to) {
   store(four, to);
 }
 /// The second half goes behind what six fours take.
 inline void store_fours(const Eight& eight, float* to) {
-  store(__builtin_shufflevector(eight, eight, 0, 1, 2, 3), to);
-  store(__builtin_shufflevector(eight, eight, 4, 5, 6, 7), to + 24);
+  store(low_half(eight), to);
+  store(high_half(eight), to + 24);
 }
 
 /// x, y and z of the first, then of the second, and so on.
@@ -67,19 +23,6 @@ inline void store_interleaved(const Lanes& x, const Lanes& y, const Lanes& z, fl
   store_fours(shuffled<0, 1, 4, 6>(first, shuffled<0, 0, 5, 5>(z, x)), to);
   store_fours(shuffled<0, 2, 4, 5>(shuffled<3, 3, 5, 5>(first, z), second), to + 4);
   store_fours(shuffled<0, 2, 3, 1>(rest, rest), to + 8);
-}
-
-/// Three coordinates of vectors.
-template <class Lanes>
-struct Vectors {
-  Lanes x;
-  Lanes y;
-  Lanes z;
-};
-
-template <class Lanes>
-inline Lanes square_of(const Vectors<Lanes>& v) {
-  return v.x * v.x + v.y * v.y + v.z * v.z;
 }
 
 /// The first of each, then the second of each, and so on. Returns where the next go.
@@ -108,11 +51,13 @@ void load_rows_here(const GridView& grid, const StoredPoint& middle, const Store
       const Four b = local(i + 1);
       const Four c = local(i + 2);
       const Four d = local(i + 3);
-      const Four first = shuffled<0, 4, 1, 5>(a, b);
-      const Four second = shuffled<0, 4, 1, 5>(c, d);
-      store(shuffled<0, 1, 4, 5>(first, second), xs + i);
-      store(shuffled<2, 3, 6, 7>(first, second), ys + i);
-      store(shuffled<0, 1, 4, 5>(shuffled<2, 6, 3, 7>(a, b), shuffled<2, 6, 3, 7>(c, d)), zs + i);
+      Four x;
+      Four y;
+      Four z;
+      transpose(a, b, c, d, x, y, z);
+      store(x, xs + i);
+      store(y, ys + i);
+      store(z, zs + i);
     }
   }
 }
@@ -156,26 +101,6 @@ void combine_rows_here(const CoordinateRow* rows, std::size_t n, bool is_between
   }
 }
 
-/// 1 / sqrt(x).
-inline Four reciprocal_root(const Four& x) {
-#ifdef __SSE__
-  return 1.0f / __builtin_bit_cast(Four, _mm_sqrt_ps(__builtin_bit_cast(__m128, x)));
-#else
-  return Four{1.0f / __builtin_sqrtf(x[0]), 1.0f / __builtin_sqrtf(x[1]),
-              1.0f / __builtin_sqrtf(x[2]), 1.0f / __builtin_sqrtf(x[3])};
-#endif
-}
-
-inline Eight reciprocal_root(const Eight& x) {
-#ifdef __AVX__
-  return 1.0f / __builtin_bit_cast(Eight, _mm256_sqrt_ps(__builtin_bit_cast(__m256, x)));
-#else
-  const Four low = reciprocal_root(__builtin_shufflevector(x, x, 0, 1, 2, 3));
-  const Four high = reciprocal_root(__builtin_shufflevector(x, x, 4, 5, 6, 7));
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-#endif
-}
-
 /// Normals, and for each whether rounding turns it by no more than a hundredth of a degree.
 template <std::size_t kCount>
 struct Normals {
@@ -194,8 +119,8 @@ inline Normals<kCount> normals_of(const Vectors<typename LanesOf<kCount>::Floats
   const Lanes square = square_of(normal);
   const auto are_good =
       (square > kLeast * kLeast * square_of(a)) & (square > kLeast * kLeast * square_of(b));
-  const Lanes root = reciprocal_root(square);
-  return {{normal.x * root, normal.y * root, normal.z * root}, are_good};
+  const Lanes by = 1.0f / root(square);
+  return {{normal.x * by, normal.y * by, normal.z * by}, are_good};
 }
 
 template <std::size_t kCount>

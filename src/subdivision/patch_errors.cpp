@@ -7,8 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "subdivision/bicubic.h"
-#include "subdivision/bicubic_errors.h"
 #include "subdivision/patch_levels.h"
 #include "subdivision/patch_limits.h"
 
@@ -100,85 +98,77 @@ Diagonal shorter_diagonal(const Point& u, const Point& v) noexcept {
                                            : Diagonal::kDown;
 }
 
-/// The greatest error of a curve's chords, with this second derivative.
-double curve_error(double second, SurfacePoints points) noexcept {
-  return second / (points == SurfacePoints::kLimit ? 8.0 : 6.0);
-}
-
 /// Which of the nine places lie on side i.
 constexpr std::array<std::array<std::size_t, 3>, 4> kSidePlaces{
     {{0, 1, 2}, {2, 5, 8}, {8, 7, 6}, {6, 3, 0}}};
 
-class PatchErrors {
+void raise_to(LevelErrors& errors, int level, double error) noexcept {
+  float& kept = errors[static_cast<std::size_t>(level)];
+  kept = std::max(kept, static_cast<float>(error));
+}
+
+}  // namespace
+
+/// Down a patch.
+class PatchErrors::Walk {
  public:
-  PatchErrors(const Patch& patch, const PatchErrorWish& wish, LevelErrors& errors)
-      : patch_(&patch), wish_(&wish), errors_(&errors) {}
+  Walk(PatchErrors& sums, const Patch& patch, LevelErrors& errors)
+      : sums_(&sums), patch_(&patch), wish_(&sums.wish_), errors_(&errors) {}
 
   void visit(const PatchGrid& face);
   [[nodiscard]] bool is_complete() const noexcept { return is_complete_; }
 
  private:
-  [[nodiscard]] std::optional<std::array<SideLimits, 4>> bicubic_sides(const PatchGrid& face) const;
-  void add_bicubic(const PatchGrid& face, const std::array<SideLimits, 4>& sides);
+  [[nodiscard]] std::optional<std::uint8_t> bicubic_curves(const PatchGrid& face) const;
+  void add_bicubic(const PatchGrid& face, std::uint8_t curves);
   [[nodiscard]] ErrorParts measure(const PatchGrid& face, const PatchGrid& next) const;
   [[nodiscard]] bool is_amid_smooth_surface(const PatchGrid& face, std::size_t i) const noexcept;
-  void raise(int level, double error) noexcept {
-    float& kept = (*errors_)[static_cast<std::size_t>(level)];
-    kept = std::max(kept, static_cast<float>(error));
-  }
+  void raise(int level, double error) noexcept { raise_to(*errors_, level, error); }
 
+  PatchErrors* sums_;
   const Patch* patch_;
   const PatchErrorWish* wish_;
   LevelErrors* errors_;
   bool is_complete_ = true;
 };
 
-/// How the sides of a face go on, where it is one bicubic.
-std::optional<std::array<SideLimits, 4>> PatchErrors::bicubic_sides(const PatchGrid& face) const {
-  std::array<SideLimits, 4> sides;
+/// Which sides are curves of their own (bits), where it is one bicubic.
+std::optional<std::uint8_t> PatchErrors::Walk::bicubic_curves(const PatchGrid& face) const {
+  std::uint8_t curves = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     if (has(face.patch_corners, i) && patch_->corners[i].ring.exists()) {
       return std::nullopt;
     }
-    sides[i] = side_limits(*patch_, face, i);
-    if (sides[i] == SideLimits::kWearing) {
+    const SideLimits side = side_limits(*patch_, face, i);
+    if (side == SideLimits::kWearing) {
       return std::nullopt;
     }
+    curves |= bit(i, side == SideLimits::kMirrored);
   }
-  return sides;
+  return curves;
 }
 
-void PatchErrors::add_bicubic(const PatchGrid& face, const std::array<SideLimits, 4>& sides) {
-  BicubicPoints points;
+void PatchErrors::Walk::add_bicubic(const PatchGrid& face, std::uint8_t curves) {
+  const Target target{errors_, face.level};
+  if (curves == 0) {
+    sums_->add_bicubic(face.grid.points, face.grid.stride, 0, target);
+    return;
+  }
+  std::array<Point, 16> points;
   for (std::size_t y = 0; y < 4; ++y) {
-    std::copy_n(face.grid.points + y * face.grid.stride, 4,
-                points.begin() + static_cast<std::ptrdiff_t>(4 * y));
+    std::copy_n(face.grid.points + y * face.grid.stride, 4, points.data() + 4 * y);
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    if (sides[i] == SideLimits::kMirrored) {
+    if (has(curves, i)) {
       mirror_ring({points.data(), 4, 1}, i, points.data());
     }
   }
-  const BicubicSamples samples = sample_bicubic(points);
-  const BicubicErrors inside = bicubic_errors(samples, wish_->points);
-  ErrorParts parts{inside.outwards, inside.within, inside.turn, part_within(wish_->points)};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (sides[i] == SideLimits::kMirrored) {
-      for (const std::size_t place : kSidePlaces[i]) {
-        const BicubicSample& at = samples[place];
-        const double bend = i % 2 == 0 ? length_across(at.uu, at.u) : length_across(at.vv, at.v);
-        parts.add_outwards(curve_error(bend, wish_->points));
-      }
-    }
-  }
-  for (int level = face.level; level < static_cast<int>(kErrorLevels); ++level) {
-    raise(level, parts.error());
-    parts.go_deeper();
-  }
+  sums_->add_bicubic(points.data(), 4, curves, target);
 }
 
 /// Whether the surface has one tangent plane around corner i and goes on on all sides.
-bool PatchErrors::is_amid_smooth_surface(const PatchGrid& face, std::size_t i) const noexcept {
+bool PatchErrors::Walk::is_amid_smooth_surface(const PatchGrid& face,
+                                               std::size_t i) const noexcept {
   const auto is_open = [&](std::size_t side) {
     return !has(face.patch_sides, side) || patch_->sides[side].kind == SideKind::kOpen;
   };
@@ -187,7 +177,7 @@ bool PatchErrors::is_amid_smooth_surface(const PatchGrid& face, std::size_t i) c
 }
 
 /// The error of the face as a quad of its own level, from its limits one level down.
-ErrorParts PatchErrors::measure(const PatchGrid& face, const PatchGrid& next) const {
+ErrorParts PatchErrors::Walk::measure(const PatchGrid& face, const PatchGrid& next) const {
   std::array<Point, 9> limits;
   std::array<Point, 9> normals;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -244,9 +234,9 @@ ErrorParts PatchErrors::measure(const PatchGrid& face, const PatchGrid& next) co
   return parts;
 }
 
-void PatchErrors::visit(const PatchGrid& face) {
-  if (const auto sides = bicubic_sides(face)) {
-    add_bicubic(face, *sides);
+void PatchErrors::Walk::visit(const PatchGrid& face) {
+  if (const std::optional<std::uint8_t> curves = bicubic_curves(face)) {
+    add_bicubic(face, *curves);
     return;
   }
   std::array<Point, 25> points;
@@ -269,13 +259,45 @@ void PatchErrors::visit(const PatchGrid& face) {
   }
 }
 
-}  // namespace
-
-bool add_patch_errors(const Patch& patch, int root_level, const PatchErrorWish& wish,
-                      LevelErrors& errors) {
-  PatchErrors walk(patch, wish, errors);
+bool PatchErrors::add(const Patch& patch, int root_level, LevelErrors& errors) {
+  if (patch.is_plain) {
+    add_bicubic(patch.grid.data(), 4, 0, {&errors, root_level});
+    return true;
+  }
+  Walk walk(*this, patch, errors);
   walk.visit({{patch.grid.data(), 4, 1}, root_level, 0, 0, 15, 15});
   return walk.is_complete();
+}
+
+void PatchErrors::add_bicubic(const StoredPoint* points, std::size_t stride, std::uint8_t curves,
+                              const Target& target) {
+  for (std::size_t y = 0; y < 4; ++y) {
+    std::copy_n(points + y * stride, 4, batch_.points[count_] + 4 * y);
+  }
+  batch_.curves[count_] = curves;
+  targets_[count_] = target;
+  if (++count_ == BicubicBatch::kMost) {
+    visit_batch();
+  }
+}
+
+void PatchErrors::finish() {
+  if (count_ > 0) {
+    visit_batch();  // What is left in the other places is known already.
+  }
+}
+
+void PatchErrors::visit_batch() {
+  BicubicErrors found;
+  bicubic_errors(batch_, wish_.points == SurfacePoints::kLevel, found);
+  for (std::size_t i = 0; i < count_; ++i) {
+    ErrorParts parts{found.outwards[i], found.within[i], found.turn[i], part_within(wish_.points)};
+    for (int level = targets_[i].level; level < static_cast<int>(kErrorLevels); ++level) {
+      raise_to(*targets_[i].errors, level, parts.error());
+      parts.go_deeper();
+    }
+  }
+  count_ = 0;
 }
 
 double polygon_error(const PolygonSamples& samples, SurfacePoints points) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "limn/subdivision/settings.h"
 #include "subdivision/fine/fine_counts.h"
 #include "subdivision/label_counts.h"
+#include "subdivision/parallel_ranges.h"
 #include "subdivision/surroundings.h"
 
 namespace limn {
@@ -154,6 +156,43 @@ RefinementPrediction predict_refinement(const ControlMesh& mesh, const VertexLab
     }
   }
   return prediction;
+}
+
+PaintedCounts count_painted(const ControlMesh& mesh, const VertexLabels& labels) {
+  LIMN_EXPECTS(labels.size() == mesh.vertex_count());
+  const FlatTopology& topology = mesh.topology();
+  const LabelCounts& counts = LabelCounts::table();
+  std::atomic<std::uint64_t> faces = 0;
+  std::atomic<std::uint64_t> illegal_quads = 0;
+  constexpr std::size_t kGrain = std::size_t{1} << 12;
+  parallel_ranges(0, mesh.face_count(), kGrain, [&](std::size_t begin, std::size_t end) {
+    PaintedCounts here;
+    std::vector<std::uint8_t> corners;
+    for (std::size_t f = begin; f < end; ++f) {
+      const std::span<const std::uint32_t> face = corners_of(topology, f);
+      if (face.size() == 4) {
+        QuadLabels quad{labels[face[0]], labels[face[1]], labels[face[2]], labels[face[3]]};
+        std::uint32_t quads = counts.face(quad).quads;
+        if (quads == 0) {
+          ++here.illegal_quads;
+          *std::ranges::find(quad, 0) = 1;
+          quads = counts.face(quad).quads;
+        }
+        here.faces += quads;
+      } else if (labels[face[0]] == 0) {
+        ++here.faces;
+      } else {
+        corners.clear();
+        for (const std::uint32_t v : face) {
+          corners.push_back(labels[v]);
+        }
+        here.faces += counts.split(corners).quads;
+      }
+    }
+    faces += here.faces;
+    illegal_quads += here.illegal_quads;
+  });
+  return {faces, illegal_quads};
 }
 
 }  // namespace limn

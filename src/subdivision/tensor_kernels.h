@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "subdivision/bicubic_errors.h"
 #include "subdivision/tensor_grid.h"
 
 // Internal to this folder.
@@ -37,6 +38,7 @@ struct TensorKernels {
   /// The normals of the 2 n + 1 vertices of a row one level down, 3 floats each, and up to 15 more.
   /// Whether all are exact enough.
   bool (*write_normals)(const CombinedRow& row, std::size_t n, float* out);
+  void (*bicubic_errors)(const BicubicBatch& batch, bool at_level, BicubicErrors& errors);
 };
 
 /// Those for the processor at hand.

@@ -6,6 +6,7 @@
 //
 // Rows are first combined across (into one point per column), then along, in one pass: the combined
 // columns are kept in registers while the window slides.
+#include "subdivision/bicubic_kernels.inl"
 #include "subdivision/normal_kernels.inl"
 #include "subdivision/tensor_kernels.h"
 
@@ -228,8 +229,9 @@ void limit_line_here(const GridLine& line, StoredPoint* out) {
 }
 
 constexpr TensorKernels kKernelsHere{
-    refine_grid_here, refine_line_here, refine_inner_rows_here, limit_inner_rows_here,
-    limit_line_here,  load_rows_here,   combine_rows_here,      write_normals_here};
+    refine_grid_here,      refine_line_here,   refine_inner_rows_here,
+    limit_inner_rows_here, limit_line_here,    load_rows_here,
+    combine_rows_here,     write_normals_here, bicubic_errors_here};
 
 }  // namespace
 }  // namespace limn

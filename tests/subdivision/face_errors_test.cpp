@@ -14,7 +14,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "limn/subdivision/label_subdivision.h"
-#include "subdivision/bicubic_errors.h"
 #include "support/attribute_shapes.h"
 #include "support/effort.h"
 #include "support/shapes.h"
@@ -251,33 +250,6 @@ TEST(FaceErrorsOptions, NothingIsOffOnAFlatCapBesideACrease) {
   for (const std::size_t f : {3U, 4U}) {
     EXPECT_LT(errors[f][1], 1e-6F) << f;
   }
-}
-
-TEST(BicubicErrors, OfAParaboloidAreAQuarterOfItsBend) {
-  // Whatever the unit of length: chords along diagonals span sqrt(2), and bend by 2 / 8.
-  for (const double unit : {1e-12, 1.0, 1e12}) {
-    BicubicSamples samples;
-    samples.fill(BicubicSample{Point{unit, 0.0, 0.0, 0.0}, Point{0.0, unit, 0.0, 0.0},
-                               Point{0.0, 0.0, 0.3 * unit, 0.0}, Point{},
-                               Point{0.0, 0.0, 0.3 * unit, 0.0}});
-    const BicubicErrors errors = bicubic_errors(samples, SurfacePoints::kLimit);
-    EXPECT_NEAR(errors.outwards, 0.075 * unit, 1e-6 * unit);
-    EXPECT_NEAR(errors.within, 0.0, 1e-6 * unit);
-    EXPECT_NEAR(errors.turn, 0.0, 1e-6);
-    // Where subdivision puts them, corners stand off by a sixth of both.
-    EXPECT_NEAR(bicubic_errors(samples, SurfacePoints::kLevel).outwards, 0.1 * unit, 1e-6 * unit);
-  }
-}
-
-TEST(BicubicErrors, OfAPlaneAreWithinIt) {
-  BicubicSamples samples;
-  samples.fill(BicubicSample{Point{1.0, 0.0, 0.0, 0.0}, Point{0.0, 1.0, 0.0, 0.0},
-                             Point{0.6, 0.0, 0.0, 0.0}, Point{}, Point{}});
-  const BicubicErrors errors = bicubic_errors(samples, SurfacePoints::kLimit);
-  EXPECT_EQ(errors.outwards, 0.0);
-  EXPECT_NEAR(errors.within, 0.1, 1e-6);
-  samples.fill(BicubicSample{});
-  EXPECT_EQ(bicubic_errors(samples, SurfacePoints::kLimit).outwards, 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Points, FaceErrors,

@@ -31,4 +31,14 @@ struct RefinementPrediction {
                                                       int levels = kAllLevels,
                                                       const FineLabels* fine = nullptr);
 
+/// What labels lead to that are not legal yet.
+struct PaintedCounts {
+  std::uint64_t faces = 0;  ///< Illegal quads count as split, which they will be.
+  std::uint64_t illegal_quads = 0;
+};
+
+/// Where legalising would take too long. `labels` are any, but faces that are no quads have labels
+/// that are positive throughout, or none.
+[[nodiscard]] PaintedCounts count_painted(const ControlMesh& mesh, const VertexLabels& labels);
+
 }  // namespace limn
