@@ -33,8 +33,9 @@ constexpr int kMostLevels = 4;
 
 /// A distance that is asked for, in diagonals, whatever uniform meshes reach.
 constexpr double kAskedTolerance = 0.001;
-/// What keeps its tolerance by one measurement may miss it by another, with other samples.
-constexpr double kJustBelow = 0.99;
+/// What keeps its tolerance by one measurement may miss it by another, with other samples; and an
+/// even painting keeps its own distance and no less.
+constexpr std::array kJustAboutTargets{0.99, 1.01};
 
 /// Control meshes of the corpus: by artists, for games and films, remeshed, and for tests of
 /// creases.
@@ -113,7 +114,7 @@ class Comparison {
     approach_at_limit(Figure::kGreatest, uniform_limit_.back().greatest);
     approach_at_limit(Figure::kRootMeanSquare, uniform_limit_.back().root_mean_square);
     for (const double target : {greatest, uniform_limit_.back().greatest}) {
-      measured_limit_.push_back(try_measured_tolerance(at_limit_, kJustBelow * target));
+      add_measured(target);
     }
     for (int level = 0; is_curve_wanted && level < levels; ++level) {
       add_to_curves(static_cast<std::size_t>(level));
@@ -154,12 +155,17 @@ class Comparison {
 
   [[nodiscard]] int level() const { return static_cast<int>(uniform_limit_.size()) - 1; }
 
+  void add_measured(double target) {
+    for (const double just_about : kJustAboutTargets) {
+      measured_limit_.push_back(try_measured_tolerance(at_limit_, just_about * target));
+    }
+  }
+
   /// Fewer faces: what a coarser uniform mesh reaches.
   void add_to_curves(std::size_t level) {
     tolerance_level_.push_back(try_tolerance(at_level_, 1.3 * uniform_level_[level].greatest));
     tolerance_limit_.push_back(try_tolerance(at_limit_, 1.3 * uniform_limit_[level].greatest));
-    measured_limit_.push_back(
-        try_measured_tolerance(at_limit_, kJustBelow * uniform_limit_[level].greatest));
+    add_measured(uniform_limit_[level].greatest);
     const std::uint64_t faces = tolerance_limit_.back().faces;
     budget_greatest_.push_back(try_budget(at_limit_, faces, FaceBudget::Goal::kGreatest));
     budget_rms_.push_back(try_budget(at_limit_, faces, FaceBudget::Goal::kMeanSquare));

@@ -124,6 +124,26 @@ TEST_P(Tolerance, IsKeptWithFewerFacesWhereItIsMeasured) {
   EXPECT_LT(measured_faces, estimated_faces);
 }
 
+TEST(MeasuredTolerance, NeverTakesMoreFacesThanAnEvenPainting) {
+  SubdivisionSettings settings;
+  settings.points = SurfacePoints::kLimit;
+  std::vector<const char*> names{"cube_triangulated", "cube", "torus_open"};
+  names.resize(test::effort() < 1.0 ? 1 : names.size());
+  for (const char* name : names) {
+    const auto mesh = bundled_mesh(name);
+    FaceDepths even(mesh->face_count());
+    for (std::size_t f = 0; f < even.size(); ++f) {
+      even.set(f, 2);
+    }
+    const std::vector<double> distances{1.02 * measured(*mesh, even, settings)};
+    IgnoreProgress progress;
+    const ChosenDepths chosen =
+        depths_for_measured_tolerance(*mesh, settings, distances, progress).value();
+    EXPECT_LE(faces_of(*mesh, chosen.depths, settings), faces_of(*mesh, even, settings)) << name;
+    EXPECT_LE(measured(*mesh, chosen.depths, settings), distances[0]) << name;
+  }
+}
+
 TEST(MeasuredTolerance, CanBeStoppedAtAnyTime) {
   class StopAfter final : public Progress {
    public:

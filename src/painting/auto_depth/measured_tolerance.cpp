@@ -1,6 +1,8 @@
 // All faces that may still be lowered are lowered at once, and those whose measured distance allows
 // it stay so. A face's labels never fall below what it was measured with: who keeps its depth only
-// raises those of its neighbours. What the last measurement finds too far goes up again.
+// raises those of its neighbours. What the last measurement finds too far goes up again. Where all
+// faces need about the same, some fall and some just do not, and the seams between them cost more
+// faces than an even painting, so that is tried in the end.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +13,7 @@
 #include "limn/painting/auto_depth/tolerance.h"
 #include "limn/part_of_progress.h"
 #include "limn/subdivision/label_subdivision.h"
+#include "limn/subdivision/prediction.h"
 
 namespace limn {
 namespace {
@@ -20,7 +23,7 @@ namespace {
 constexpr double kSurelyWithin = 0.97;
 /// How often what is too far is raised before it gets the depth it is estimated to need.
 constexpr int kMostChecks = 3;
-constexpr int kMostRounds = kMaxDepth + kMostChecks + 2;
+constexpr int kMostRounds = kMaxDepth + kMostChecks + 3;
 /// Parts of a round.
 constexpr double kLabelled = 0.05;
 constexpr double kRefined = 0.2;
@@ -57,7 +60,9 @@ class Lowering {
         }
       }
     }
-    return check(std::move(chosen), estimated);
+    return check(std::move(chosen), estimated).and_then([&](ChosenDepths checked) {
+      return even_or(std::move(checked));
+    });
   }
 
  private:
@@ -85,6 +90,50 @@ class Lowering {
       }
     }
     return chosen;
+  }
+
+  /// The deepest even painting of fewer faces, where it keeps all distances.
+  Result<ChosenDepths> even_or(ChosenDepths chosen) {
+    const Result<std::uint64_t> most = count(chosen.depths);
+    if (!most) {
+      return tl::unexpected(most.error());
+    }
+    FaceDepths even(mesh_->face_count());
+    for (int depth = 0; depth <= chosen.depths.deepest(); ++depth) {
+      FaceDepths deeper(mesh_->face_count());
+      for (std::size_t f = 0; f < deeper.size(); ++f) {
+        deeper.set(f, depth);
+      }
+      const Result<std::uint64_t> faces = count(deeper);
+      if (!faces) {
+        return tl::unexpected(faces.error());
+      }
+      if (*faces >= *most) {
+        break;
+      }
+      even = std::move(deeper);
+    }
+    if (even.deepest() == 0) {
+      return chosen;  // Lowering came by that.
+    }
+    const auto measured = measure(even);
+    if (!measured) {
+      return tl::unexpected(measured.error());
+    }
+    for (std::size_t f = 0; f < measured->size(); ++f) {
+      if ((*measured)[f] > distance(f)) {
+        return chosen;
+      }
+    }
+    return ChosenDepths{std::move(even), *std::ranges::max_element(*measured), 0};
+  }
+
+  Result<std::uint64_t> count(const FaceDepths& depths) const {
+    IgnoreProgress ignore;  // A moment, beside measuring.
+    return legal_labels(*mesh_, depths.values(), *settings_, ignore)
+        .map([&](const Legalisation& legal) {
+          return predict_refinement(*mesh_, legal.labels).faces;
+        });
   }
 
   /// The greatest distance of each control face's part of the refined mesh.

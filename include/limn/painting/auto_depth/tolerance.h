@@ -33,7 +33,8 @@ struct ChosenDepths {
 /// As `depths_for_tolerance`, less what a measurement shows to be needless: as long as the refined
 /// mesh, measured (comparison/limit_distance.h), stays within its distance where faces have a level
 /// less, they have. Errors are estimated from above, and beside creases that wear off, where they
-/// hardly fall from one level to the next, that may be levels.
+/// hardly fall from one level to the next, that may be levels. Never more faces than an even
+/// painting that stays within all distances.
 ///
 /// `expected_error` is what was measured last. Refines and measures some few times: that takes
 /// longer than all else.
