@@ -1,7 +1,8 @@
-// limn_tolerance_sweep TOLERANCE level|limit FILE...
+// limn_tolerance_sweep TOLERANCE level|limit|measured FILE...
 // Chooses depths for a tolerance, in diagonals, refines and measures. Prints a line a file: what
 // was measured and what was expected, both in tolerances. Fails where anything measured is above
-// its tolerance. scripts/sweep-tolerance.sh runs it over many files.
+// its tolerance. With `measured`, depths are measured while they are chosen, for vertices on the
+// limit surface. scripts/sweep-tolerance.sh runs it over many files.
 #include <charconv>
 #include <cstring>
 #include <string>
@@ -24,6 +25,7 @@ constexpr std::uint64_t kMostFaces = 1'500'000;
 struct Question {
   double tolerance = 0.0;  ///< In diagonals.
   SurfacePoints points = SurfacePoints::kLimit;
+  bool is_measured = false;
 };
 
 /// False where more was measured than is tolerated.
@@ -40,7 +42,10 @@ bool sweep(const std::string& file, const Question& question) {
   options.face_budget = kMostFaces;
   const double distance = question.tolerance * mesh.bounds().diagonal();
   IgnoreProgress progress;
-  const auto chosen = depths_for_tolerance(mesh, options.settings, {&distance, 1}, progress);
+  const auto chosen =
+      question.is_measured
+          ? depths_for_measured_tolerance(mesh, options.settings, {&distance, 1}, progress)
+          : depths_for_tolerance(mesh, options.settings, {&distance, 1}, progress);
   LIMN_EXPECTS(chosen.has_value());
   const auto labels = derive_labels(mesh, chosen->depths.values(), options.settings, progress);
   LIMN_EXPECTS(labels.has_value());
@@ -76,13 +81,13 @@ int main(int argc, char** argv) {
     const char* const end = argv[1] + std::strlen(argv[1]);
     is_understood =
         std::from_chars(argv[1], end, question.tolerance).ptr == end && question.tolerance > 0.0;
-    question.points =
-        std::string(argv[2]) == "level" ? SurfacePoints::kLevel : SurfacePoints::kLimit;
-    is_understood = is_understood &&
-                    (question.points == SurfacePoints::kLevel || std::string(argv[2]) == "limit");
+    const std::string way = argv[2];
+    question.points = way == "level" ? SurfacePoints::kLevel : SurfacePoints::kLimit;
+    question.is_measured = way == "measured";
+    is_understood = is_understood && (way == "level" || way == "limit" || way == "measured");
   }
   if (!is_understood) {
-    fmt::print(stderr, "limn_tolerance_sweep TOLERANCE level|limit FILE...\n");
+    fmt::print(stderr, "limn_tolerance_sweep TOLERANCE level|limit|measured FILE...\n");
     return 2;
   }
   bool holds = true;

@@ -124,6 +124,38 @@ TEST_P(Tolerance, IsKeptWithFewerFacesWhereItIsMeasured) {
   EXPECT_LT(measured_faces, estimated_faces);
 }
 
+TEST(MeasuredTolerance, KeepsTheUniformStepWhereFacesRelyOnIt) {
+  SubdivisionSettings settings;
+  settings.points = SurfacePoints::kLimit;
+  const MeshPointer mesh = bundled_mesh("mixed");
+  IgnoreProgress progress;
+  const std::vector<LevelErrors> expected = face_errors(*mesh, {}, progress).value();
+  const LargeArray<float> unrefined =
+      distance_of(*mesh, FaceDepths(mesh->face_count()), settings).of_faces;
+  ASSERT_EQ(unrefined.size(), mesh->face_count());
+  // Two faces get the uniform step: the first, which is painted for it, could do without, as it is
+  // measured, and the other could not.
+  std::vector<double> distances(mesh->face_count(), std::numeric_limits<double>::infinity());
+  std::size_t first = 0;
+  while (1.1 * unrefined[first] > expected[first][0]) {
+    ASSERT_LT(++first, mesh->face_count());
+  }
+  distances[first] = 0.99 * expected[first][0];
+  std::size_t other = first + 1;
+  while (0.9 * unrefined[other] < expected[other][1]) {
+    ASSERT_LT(++other, mesh->face_count());
+  }
+  distances[other] = 0.9 * unrefined[other];
+  const FaceDepths estimated =
+      depths_for_tolerance(*mesh, settings, distances, progress).value().depths;
+  ASSERT_EQ(estimated[first], 1);
+  ASSERT_EQ(estimated[other], 0);
+
+  const ChosenDepths chosen =
+      depths_for_measured_tolerance(*mesh, settings, distances, progress).value();
+  EXPECT_GT(chosen.depths.deepest(), 0) << "face " << other << " is too far without the step";
+}
+
 TEST(MeasuredTolerance, NeverTakesMoreFacesThanAnEvenPainting) {
   SubdivisionSettings settings;
   settings.points = SurfacePoints::kLimit;

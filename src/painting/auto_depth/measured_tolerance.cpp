@@ -14,6 +14,7 @@
 #include "limn/part_of_progress.h"
 #include "limn/subdivision/label_subdivision.h"
 #include "limn/subdivision/prediction.h"
+#include "painting/auto_depth/first_step.h"
 
 namespace limn {
 namespace {
@@ -78,6 +79,12 @@ class Lowering {
       }
       chosen.expected_error = *std::ranges::max_element(*measured);
       bool is_raised = false;
+      if (has_lost_first_step(chosen.depths, estimated, *measured)) {
+        const auto first =
+            std::ranges::find_if(estimated.values(), [](int depth) { return depth > 0; });
+        chosen.depths.set(static_cast<std::size_t>(first - estimated.values().begin()), 1);
+        is_raised = true;
+      }
       for (std::size_t f = 0; f < measured->size(); ++f) {
         const int depth = chosen.depths[f];
         if ((*measured)[f] > distance(f) && depth < estimated[f]) {
@@ -90,6 +97,21 @@ class Lowering {
       }
     }
     return chosen;
+  }
+
+  /// The uniform first step comes with the first face that is painted, and others may rely on it.
+  [[nodiscard]] bool has_lost_first_step(const FaceDepths& depths, const FaceDepths& estimated,
+                                         std::span<const double> measured) const {
+    if (first_step_levels(*mesh_, *settings_) == 0 || depths.deepest() > 0 ||
+        estimated.deepest() == 0) {
+      return false;
+    }
+    for (std::size_t f = 0; f < measured.size(); ++f) {
+      if (measured[f] > distance(f)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// The deepest even painting of fewer faces, where it keeps all distances.
