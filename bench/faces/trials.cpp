@@ -117,7 +117,7 @@ Trial measure(const Subject& subject, const VertexLabels& labels, std::vector<do
   LIMN_EXPECTS(refined.has_value());
   LimitDistanceLimits limits;
   limits.change = 0.02;
-  limits.samples = std::size_t{1} << 20;
+  limits.samples = std::size_t{1} << 22;
   const Result<LimitDistance> distance =
       measure_limit_distance(*subject.mesh, labels, subject.settings, *refined, progress, limits);
   LIMN_EXPECTS(distance.has_value());

@@ -75,7 +75,14 @@ def summary(meshes):
 
 
 def names(found):
-    return ", ".join(f"`{row.mesh['name']}` ({row.ratio(row.best):.2f})" for row in found) or "none"
+    return ", ".join(f"`{row.mesh['name']}` ({row.ratio(row.best):.2f})" for row in found)
+
+
+def behind_on(found):
+    """What is said of meshes where uniform ones have fewer faces."""
+    if not found:
+        return "None of them takes more than the uniform mesh."
+    return f"They are behind on {names(found)}."
 
 
 def opening(meshes):
@@ -86,12 +93,12 @@ def opening(meshes):
     rest = [row for row in found if BEHIND <= row.ratio(row.best) < PAYS]
     return f"""# Faces for the same distance
 
-How many faces a mesh needs to be as near to its limit surface as a uniform one, measured for all of them in the same way. Written by `scripts/faces.sh`, with the plots.
+How many faces a mesh needs to be as near to its limit surface as a uniform one, measured for all of them in the same way. Written by `scripts/faces.sh`, with the plots. [That tolerances are kept](tolerances.md) was tried on many more meshes.
 
 {summary(meshes)}
 
-So depths by themselves pay where detail is uneven. With both on the limit surface: {names(pays)}. Where every face needs about the same there is little to be had: {names(rest)}. They are behind
-on {names(behind)}. (In brackets: the uniform mesh's faces over those of the best of Limn's.) Without measuring, depths go by estimates, at once, and cost more: beside semi-sharp creases and on uneven
+So depths by themselves pay where detail is uneven. With both on the limit surface: {names(pays)}. Where every face needs about the same there is little to be had: {names(rest)}.
+{behind_on(behind)} (In brackets: the uniform mesh's faces over those of the best of Limn's.) Without measuring, depths go by estimates, at once, and cost more: beside semi-sharp creases and on uneven
 triangles far more error is expected than is then found. None of this is about painting by intent, where what shall stay coarse does.
 
 ![Greatest distance against faces](faces.svg)"""

@@ -111,6 +111,24 @@ struct Spline {
   }
 };
 
+/// `of` the spline through four points, coordinate by coordinate.
+template <class Lanes, class Of>
+inline Vectors<Lanes> along(const Vectors<Lanes>* p, const Of& of) {
+  return {of(Spline<Lanes>{p[0].x, p[1].x, p[2].x, p[3].x}),
+          of(Spline<Lanes>{p[0].y, p[1].y, p[2].y, p[3].y}),
+          of(Spline<Lanes>{p[0].z, p[1].z, p[2].z, p[3].z})};
+}
+
+/// What splines are asked for at a place.
+template <std::size_t kPlace>
+struct At {
+  static constexpr auto value = [](const auto& spline) { return spline.template value<kPlace>(); };
+  static constexpr auto first = [](const auto& spline) { return spline.template first<kPlace>(); };
+  static constexpr auto second = [](const auto& spline) {
+    return spline.template second<kPlace>();
+  };
+};
+
 /// Derivatives at one place along rows, of all four rows.
 template <class Lanes>
 struct ColumnDerivatives {
@@ -121,17 +139,11 @@ struct ColumnDerivatives {
 
 template <std::size_t kPlace, class Lanes>
 inline void differentiate_rows(const ControlPoints<Lanes>& control, ColumnDerivatives<Lanes>& out) {
-  for (std::size_t y = 0; y < 4; ++y) {
-    const Vectors<Lanes>* row = control.points + 4 * y;
-    const Spline<Lanes> x{row[0].x, row[1].x, row[2].x, row[3].x};
-    const Spline<Lanes> y_{row[0].y, row[1].y, row[2].y, row[3].y};
-    const Spline<Lanes> z{row[0].z, row[1].z, row[2].z, row[3].z};
-    out.values[y] = {x.template value<kPlace>(), y_.template value<kPlace>(),
-                     z.template value<kPlace>()};
-    out.firsts[y] = {x.template first<kPlace>(), y_.template first<kPlace>(),
-                     z.template first<kPlace>()};
-    out.seconds[y] = {x.template second<kPlace>(), y_.template second<kPlace>(),
-                      z.template second<kPlace>()};
+  for (std::size_t row = 0; row < 4; ++row) {
+    const Vectors<Lanes>* points = control.points + 4 * row;
+    out.values[row] = along(points, At<kPlace>::value);
+    out.firsts[row] = along(points, At<kPlace>::first);
+    out.seconds[row] = along(points, At<kPlace>::second);
   }
 }
 
@@ -147,21 +159,9 @@ struct Derivatives {
 
 template <std::size_t kPlace, class Lanes>
 inline Derivatives<Lanes> differentiate_column(const ColumnDerivatives<Lanes>& column) {
-  Derivatives<Lanes> out;
-  const auto along = [](const Vectors<Lanes>(&rows)[4], const auto& of) {
-    return Vectors<Lanes>{of(Spline<Lanes>{rows[0].x, rows[1].x, rows[2].x, rows[3].x}),
-                          of(Spline<Lanes>{rows[0].y, rows[1].y, rows[2].y, rows[3].y}),
-                          of(Spline<Lanes>{rows[0].z, rows[1].z, rows[2].z, rows[3].z})};
-  };
-  const auto value = [](const Spline<Lanes>& s) { return s.template value<kPlace>(); };
-  const auto first = [](const Spline<Lanes>& s) { return s.template first<kPlace>(); };
-  const auto second = [](const Spline<Lanes>& s) { return s.template second<kPlace>(); };
-  out.u = along(column.firsts, value);
-  out.v = along(column.values, first);
-  out.uu = along(column.seconds, value);
-  out.uv = along(column.firsts, first);
-  out.vv = along(column.values, second);
-  return out;
+  return {along(column.firsts, At<kPlace>::value), along(column.values, At<kPlace>::first),
+          along(column.seconds, At<kPlace>::value), along(column.firsts, At<kPlace>::first),
+          along(column.values, At<kPlace>::second)};
 }
 
 /// The greatest error of the plane through three points of a quadratic, between directions x and y

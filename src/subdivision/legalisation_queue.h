@@ -137,8 +137,8 @@ class CandidateQueue {
     std::optional<Candidate> best;
     for (std::size_t half = 0; half < filled_.size() && !best; ++half) {
       if (filled_[half] != 0) {
-        const std::size_t set =
-            64 * half + static_cast<std::size_t>(std::countr_zero(filled_[half]));
+        const auto set = static_cast<std::uint32_t>(64 * half) +
+                         static_cast<std::uint32_t>(std::countr_zero(filled_[half]));
         best = Candidate{rank_of(set), sets_[set].first()};
       }
     }
@@ -150,7 +150,7 @@ class CandidateQueue {
 
  private:
   static constexpr std::uint32_t kSmall = 8;  ///< Valences and costs below have a set each.
-  static constexpr std::size_t kSets = 2 * kSmall * kSmall;
+  static constexpr std::uint32_t kSets = 2 * kSmall * kSmall;
 
   struct IsAfter {
     bool operator()(const Candidate& a, const Candidate& b) const noexcept {
@@ -166,8 +166,8 @@ class CandidateQueue {
     return static_cast<Place>((rank.is_near_leaf ? 0 : kSmall * kSmall) +
                               (kSmall - 1 - rank.valence) * kSmall + rank.cost);
   }
-  [[nodiscard]] static CandidateRank rank_of(std::size_t set) noexcept {
-    const auto within = static_cast<std::uint32_t>(set % (kSmall * kSmall));
+  [[nodiscard]] static CandidateRank rank_of(std::uint32_t set) noexcept {
+    const std::uint32_t within = set % (kSmall * kSmall);
     return {set < kSmall * kSmall, kSmall - 1 - within / kSmall, within % kSmall};
   }
 
