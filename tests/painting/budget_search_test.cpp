@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kSteps = 5000;
 constexpr std::uint64_t kLeast = 2000;
+constexpr double kUnspent = 0.005;
 
 std::vector<BudgetStep> steps_of_growing_cost() {
   std::vector<BudgetStep> steps;
@@ -40,7 +41,7 @@ struct Found {
 
 Found search(std::uint64_t most, const BudgetSearch::Forecast& forecast) {
   const std::vector<BudgetStep> steps = steps_of_growing_cost();
-  BudgetSearch search(steps, kLeast, most, forecast);
+  BudgetSearch search(steps, {kLeast, most, kUnspent}, forecast);
   Found found;
   while (const auto at = search.next()) {
     EXPECT_GT(*at, 0U);
@@ -63,7 +64,8 @@ class BudgetSearchOf : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(BudgetSearchOf, NeedsOneCountWhereForecastsAreRight) {
   const Found found = search(GetParam(), foretold_well);
   EXPECT_LE(found.fits.count, GetParam());
-  EXPECT_GE(found.fits.count, GetParam() - GetParam() / BudgetSearch::kFineEnough);
+  EXPECT_GE(static_cast<double>(found.fits.count),
+            (1.0 - kUnspent) * static_cast<double>(GetParam()));
   EXPECT_LE(found.counts, 2);
 }
 
@@ -72,7 +74,8 @@ TEST_P(BudgetSearchOf, NeedsFewCountsWhereForecastsAreTooLowByAThird) {
     return kLeast + (foretold_well(count) - kLeast) * 0.67;
   });
   EXPECT_LE(found.fits.count, GetParam());
-  EXPECT_GE(found.fits.count, GetParam() - GetParam() / BudgetSearch::kFineEnough);
+  EXPECT_GE(static_cast<double>(found.fits.count),
+            (1.0 - kUnspent) * static_cast<double>(GetParam()));
   EXPECT_LE(found.counts, 4);
 }
 
@@ -107,7 +110,7 @@ TEST(BudgetSearch, TakesNoneWhereTheFirstIsTooMuch) {
 }
 
 TEST(BudgetSearch, CountsNothingWhereThereIsNoStep) {
-  BudgetSearch search({}, kLeast, 10 * kLeast, foretold_well);
+  BudgetSearch search({}, {kLeast, 10 * kLeast, kUnspent}, foretold_well);
   EXPECT_FALSE(search.next());
 }
 

@@ -6,13 +6,12 @@
 
 namespace limn {
 
-BudgetSearch::BudgetSearch(std::span<const BudgetStep> steps, std::uint64_t least,
-                           std::uint64_t most, Forecast forecast)
+BudgetSearch::BudgetSearch(std::span<const BudgetStep> steps, const Room& room, Forecast forecast)
     : costs_(steps.size() + 1, 0.0),
-      least_(least),
-      most_(most),
+      room_(room),
+      may_be_left_(room.unspent * static_cast<double>(room.most)),
       forecast_(std::move(forecast)),
-      fits_{0, least} {
+      fits_{0, room.least} {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     costs_[i + 1] = costs_[i] + static_cast<double>(cost_of(steps[i]));
   }
@@ -22,7 +21,7 @@ std::optional<std::size_t> BudgetSearch::next() {
   constexpr int kForetoldProbes = 6;
   const std::size_t end = exceeds_ ? exceeds_->steps : costs_.size();
   if (probes_ == kMostProbes || end - fits_.steps <= 1 ||
-      most_ - fits_.count <= most_ / kFineEnough) {
+      static_cast<double>(room_.most - fits_.count) <= may_be_left_) {
     return std::nullopt;
   }
   ++probes_;
@@ -30,20 +29,20 @@ std::optional<std::size_t> BudgetSearch::next() {
   if (probes_ > kForetoldProbes) {  // Forecasts are of no use here.
     steps = step_at(0.5 * (costs_[fits_.steps] + costs_[end - 1]));
   } else {
-    // In the middle of what is fine enough.
-    const double aim = static_cast<double>(most_) * (1.0 - 0.5 / static_cast<double>(kFineEnough));
-    steps = steps_to(foretell(0) + std::max(0.0, aim - static_cast<double>(least_)) / legalised_);
+    // In the middle of where it may end.
+    const double aim = static_cast<double>(room_.most - room_.least) - 0.5 * may_be_left_;
+    steps = steps_to(foretell(0) + std::max(0.0, aim) / legalised_);
   }
   return std::clamp(steps, fits_.steps + 1, end - 1);
 }
 
 void BudgetSearch::learn(const Probe& probe) {
   const double foretold = foretell(probe.steps) - foretell(0);
-  const auto added = static_cast<double>(probe.count) - static_cast<double>(least_);
+  const auto added = static_cast<double>(probe.count) - static_cast<double>(room_.least);
   if (foretold > 0.0 && added > 0.0) {
     legalised_ = added / foretold;
   }
-  if (probe.count <= most_) {
+  if (probe.count <= room_.most) {
     fits_ = probe;
   } else {
     exceeds_ = probe;
@@ -95,7 +94,7 @@ double BudgetSearch::cost_to(double faces) const {
 
 std::size_t BudgetSearch::steps_to(double faces) {
   constexpr int kMostForecasts = 32;
-  const double near_enough = 0.1 * static_cast<double>(most_) / static_cast<double>(kFineEnough);
+  const double near_enough = 0.1 * may_be_left_;
   const std::size_t last = costs_.size() - 1;
   (void)foretell(0);
   for (int i = 0; i < kMostForecasts; ++i) {

@@ -26,14 +26,18 @@ class BudgetSearch {
   /// About how many faces the first so many steps come to.
   using Forecast = std::function<double(std::size_t steps)>;
 
-  /// Counts are asked for at most so often: by then the place is known to a step, or what is left
-  /// of the budget is less than this part of it.
-  static constexpr int kMostProbes = 24;
-  static constexpr std::uint64_t kFineEnough = 200;
+  /// What there is to spend.
+  struct Room {
+    std::uint64_t least = 0;  ///< Faces with no step, not above
+    std::uint64_t most = 0;   ///< the budget.
+    double unspent = 0.005;   ///< The part of it that may be left.
+  };
 
-  /// With no step there are `least` faces, not above `most`.
-  BudgetSearch(std::span<const BudgetStep> steps, std::uint64_t least, std::uint64_t most,
-               Forecast forecast);
+  /// Counts are asked for at most so often: by then the place is known to a step, or no more is
+  /// left of the budget than may be.
+  static constexpr int kMostProbes = 24;
+
+  BudgetSearch(std::span<const BudgetStep> steps, const Room& room, Forecast forecast);
 
   /// The best so far.
   [[nodiscard]] const Probe& fits() const noexcept { return fits_; }
@@ -56,8 +60,8 @@ class BudgetSearch {
   [[nodiscard]] std::size_t step_at(double cost) const;
 
   std::vector<double> costs_;  ///< Of the first so many steps, each by itself.
-  std::uint64_t least_;
-  std::uint64_t most_;
+  Room room_;
+  double may_be_left_;  ///< Faces.
   Forecast forecast_;
   std::vector<Foretold> foretold_;  ///< By steps; faces never fall.
   double legalised_ = 1.0;          ///< Faces really added for each that was foretold.
