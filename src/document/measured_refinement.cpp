@@ -26,10 +26,7 @@ Result<FaceDepths> even_painting(const Document& document, const FaceBudget& bud
                                  Progress& progress) {
   FaceDepths fits(document.control->face_count());
   for (int depth = 1; depth <= kMaxDepth; ++depth) {
-    FaceDepths even(fits.size());
-    for (std::size_t f = 0; f < even.size(); ++f) {
-      even.set(f, depth);
-    }
+    FaceDepths even(fits.size(), depth);
     const Result<DerivedLabels> labels =
         derive_labels(*document.control, even.values(), document.settings, progress);
     if (!labels) {

@@ -308,7 +308,7 @@ TEST(LimitDistanceReference, OfTheCorpus) {
     }
   }
   if (count == 0) {
-    GTEST_SKIP() << "there is no corpus of meshes on this machine";
+    GTEST_SKIP() << "no corpus of meshes: set LIMN_CORPUS or put one at ../shared/corpus";
   }
 }
 

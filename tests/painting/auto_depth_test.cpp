@@ -163,10 +163,7 @@ TEST(MeasuredTolerance, NeverTakesMoreFacesThanAnEvenPainting) {
   names.resize(test::effort() < 1.0 ? 1 : names.size());
   for (const char* name : names) {
     const auto mesh = bundled_mesh(name);
-    FaceDepths even(mesh->face_count());
-    for (std::size_t f = 0; f < even.size(); ++f) {
-      even.set(f, 2);
-    }
+    const FaceDepths even(mesh->face_count(), 2);
     const std::vector<double> distances{1.02 * measured(*mesh, even, settings)};
     IgnoreProgress progress;
     const ChosenDepths chosen =
@@ -304,10 +301,7 @@ TEST(Budget, LeavesNoMoreErrorThanTheEvenPaintingThatFits) {
   SubdivisionSettings settings;
   settings.points = SurfacePoints::kLimit;
   IgnoreProgress progress;
-  FaceDepths even(mesh->face_count());
-  for (std::size_t f = 0; f < even.size(); ++f) {
-    even.set(f, 2);
-  }
+  const FaceDepths even(mesh->face_count(), 2);
   const std::uint64_t most = faces_of(*mesh, even, settings) + 50;
   const BudgetedDepths found =
       depths_for_budget(*mesh, settings, {{most, FaceBudget::Unit::kFaces}, {}}, progress).value();
@@ -385,10 +379,7 @@ TEST(Budget, LeavesLessErrorThanAnEvenPaintingWithMoreFaces) {
   SubdivisionSettings settings;
   settings.points = SurfacePoints::kLimit;
   IgnoreProgress progress;
-  FaceDepths even(mesh->face_count());
-  for (std::size_t f = 0; f < even.size(); ++f) {
-    even.set(f, 2);
-  }
+  const FaceDepths even(mesh->face_count(), 2);
   const std::uint64_t quarter = faces_of(*mesh, even, settings) / 4;
   const BudgetedDepths found =
       depths_for_budget(*mesh, settings,

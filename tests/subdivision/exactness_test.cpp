@@ -137,7 +137,7 @@ TEST(Exactness, HoldsOnBundledMeshes) {
 
 TEST(Exactness, HoldsOnTheCorpus) {
   if (!test::corpus_folder()) {
-    GTEST_SKIP() << "there is no corpus of meshes on this machine";
+    GTEST_SKIP() << "no corpus of meshes: set LIMN_CORPUS or put one at ../shared/corpus";
   }
   test::Random random(4);
   std::size_t meshes = 0;

@@ -296,7 +296,7 @@ TEST(Limit, IsOpenSubdivsOnBundledMeshes) {
 
 TEST(Limit, IsOpenSubdivsOnTheCorpus) {
   if (!test::corpus_folder()) {
-    GTEST_SKIP() << "there is no corpus of meshes on this machine";
+    GTEST_SKIP() << "no corpus of meshes: set LIMN_CORPUS or put one at ../shared/corpus";
   }
   test::Random random(14);
   Compared compared;

@@ -15,7 +15,11 @@ namespace limn {
 class FaceDepths {
  public:
   FaceDepths() = default;
-  explicit FaceDepths(std::size_t faces) : values_(faces, 0) {}
+  /// All alike.
+  explicit FaceDepths(std::size_t faces, int depth = 0)
+      : values_(faces, static_cast<std::uint8_t>(depth)) {
+    LIMN_EXPECTS(depth >= 0 && depth <= kMaxDepth);
+  }
 
   [[nodiscard]] std::size_t size() const noexcept { return values_.size(); }
   [[nodiscard]] int operator[](std::size_t face) const noexcept { return values_[face]; }

@@ -168,14 +168,6 @@ double part_unspent(const ControlMesh& mesh) {
   return mesh.face_count() > kCountedAtOnce ? 0.01 : 0.005;
 }
 
-FaceDepths even_depths(std::size_t faces, int depth) {
-  FaceDepths depths(faces);
-  for (std::size_t f = 0; f < faces; ++f) {
-    depths.set(f, depth);
-  }
-  return depths;
-}
-
 /// The most of the steps that fit.
 Result<BudgetSearch::Probe> spend(const ControlMesh& mesh, const Counter& counter,
                                   std::span<const BudgetStep> steps,
@@ -229,8 +221,12 @@ Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,
   // Where steps for all of the budget fit, what is painted already had a part in their faces, or
   // there are no more.
   if (fits && fits->steps == steps.size()) {
-    steps = most_rewarding(gains, std::numeric_limits<std::uint64_t>::max());
-    fits = spend(mesh, counter, steps, room);
+    std::vector<BudgetStep> every =
+        most_rewarding(gains, std::numeric_limits<std::uint64_t>::max());
+    if (every.size() > steps.size()) {
+      steps = std::move(every);
+      fits = spend(mesh, counter, steps, room);
+    }
   }
   if (!fits) {
     return tl::unexpected(fits.error());
@@ -241,7 +237,7 @@ Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,
   result.chosen.depths = depths_after(std::span(steps).first(fits->steps), mesh.face_count());
   // Where all faces need about the same and the budget is about an even painting's, that has no
   // seams between levels to pay for.
-  const FaceDepths even = even_depths(mesh.face_count(), even_depth(mesh, budget.most));
+  const FaceDepths even(mesh.face_count(), even_depth(mesh, budget.most));
   const auto error_left = [&](const FaceDepths& depths) {
     return limn::error_left(mesh, depths, first_step, budget.goal, *errors, areas);
   };

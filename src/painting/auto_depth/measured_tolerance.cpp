@@ -122,10 +122,7 @@ class Lowering {
     }
     FaceDepths even(mesh_->face_count());
     for (int depth = 0; depth <= chosen.depths.deepest(); ++depth) {
-      FaceDepths deeper(mesh_->face_count());
-      for (std::size_t f = 0; f < deeper.size(); ++f) {
-        deeper.set(f, depth);
-      }
+      FaceDepths deeper(mesh_->face_count(), depth);
       const Result<std::uint64_t> faces = count(deeper);
       if (!faces) {
         return tl::unexpected(faces.error());

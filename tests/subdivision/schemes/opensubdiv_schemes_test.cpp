@@ -114,7 +114,7 @@ TEST_P(OpenSubdivSchemes, AgreeBesideCreases) {
 
 TEST_P(OpenSubdivSchemes, AgreeOnTheCorpus) {
   if (!test::corpus_folder()) {
-    GTEST_SKIP() << "no corpus of meshes on this machine";
+    GTEST_SKIP() << "no corpus of meshes: set LIMN_CORPUS or put one at ../shared/corpus";
   }
   test::Random random(34);
   std::size_t compared = 0;

@@ -53,12 +53,11 @@ struct BudgetedDepths {
 ///
 /// What a level gains follows from `face_errors`, the error's square times the face's area; what it
 /// costs are the three faces that each of the present ones then has more. So the order is known
-/// beforehand, and how far it can be followed is foretold by counting labels that are not legal yet,
-/// and found by counting what they become: once or twice as a rule, two dozen times at the most,
-/// until no more than half a per cent of the budget is left, or one per cent on meshes of more than
-/// 30,000 faces, where counting takes its time.
-/// Errors: kOverBudget where the mesh with nothing proposed has more already; kCancelled; kUsage
-/// where the settings ask for Loop's scheme.
+/// beforehand, and how far it can be followed is foretold by counting labels that are not legal
+/// yet, and found by counting what they become: once or twice as a rule, two dozen times at the
+/// most, until no more than half a per cent of the budget is left, or one per cent on meshes of
+/// more than 30,000 faces, where counting takes its time. Errors: kOverBudget where the mesh with
+/// nothing proposed has more already; kCancelled; kUsage where the settings ask for Loop's scheme.
 [[nodiscard]] Result<BudgetedDepths> depths_for_budget(const ControlMesh& mesh,
                                                        const SubdivisionSettings& settings,
                                                        const BudgetTask& task, Progress& progress);
